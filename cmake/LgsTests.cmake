@@ -19,7 +19,7 @@ add_dependencies(lgs_tested_quick lgs_cli)
 add_dependencies(lgs_tested lgs_tested_in_release)
 set(lgs_heavy lgs lgs_cgal lgs_check lgs_generate lgs_reference lgs_trace)  # libraries in which tests spend their time
 if(LGS_SANITIZE STREQUAL "thread")  # which has an `operator new` of its own, and lets nobody replace it
-  set(lgs_without_memory EXCLUDE "allocations|cost_test|memory_runs_out|steady_state")
+  set(lgs_without_memory EXCLUDE "allocations|cost_test|steady_state")
 endif()
 
 # lgs_test_program(<program> [ALONE] [ONCE] [QUICK] [SHARDS <n>] SOURCES <pattern>... [EXCLUDE <regex>] [LIBRARIES <library>...]

@@ -48,15 +48,6 @@ TEST(CheckStatistics, CountCallsAndRefusals) {
   EXPECT_FALSE(checkTrace(beyond, {}, stats));
 }
 
-TEST(CheckViews, AreFollowedWhereTheyAreAskedFor) {
-  CheckStats stats;
-  GeneratorOptions options = kOfCalls;
-  options.isFollowed = true;
-  for (std::uint64_t seed = 0; seed < 20; ++seed)
-    EXPECT_FALSE(checked(randomCase(options, seed), {.views = true}, stats));
-  EXPECT_GT(stats.made[static_cast<std::size_t>(Call::Kind::goBack)], 0U);
-}
-
 // --- Calls ------------------------------------------------------------------------------------------------------------
 
 TEST(CheckCalls, AGroupIsKeptOrNot) {

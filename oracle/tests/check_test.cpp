@@ -140,21 +140,6 @@ TEST(Shrink, StopsWhenTimeIsUp) {
             trace);
 }
 
-TEST(Checker, FindsNothingInTheEngine) {
-  CheckOptions options;
-  options.skipRefused = true;
-  for (const std::size_t wholeEvery : {1U, 5U, 0U}) {
-    options.wholeEvery = wholeEvery;
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      CheckStats stats;
-      const auto result = checkTrace(randomCase({3, 3, 50}, seed), options, stats);
-      ASSERT_TRUE(result) << result.error().text;
-      EXPECT_FALSE(*result) << seed << ": " << (*result)->text;
-      EXPECT_GT(stats.commits, 0U);
-    }
-  }
-}
-
 TEST(Checker, StopsAtBadEditsUnlessTold) {
   Trace trace;
   trace.calls = {Call::add("a", {{0, 0}, 1, {{0, 0}, {0, U}, {U, U}}}), Call::commit()};

@@ -137,12 +137,6 @@ TEST(DrawWorld, ShowsEverySegmentOfALargeWorldInASmallFile) {
   EXPECT_LT(picture.paths().size(), 30u);  // one for each block, not for each polygon
 }
 
-TEST(DrawWorld, IsTheSameEveryTime) {
-  const Scene scene = smallScene();
-  const Outline outline = naiveOutline(scene);
-  EXPECT_EQ(drawWorld(scene, outline), drawWorld(scene, outline));
-}
-
 TEST(DrawWorld, EscapesTheTitle) {
   DrawOptions options;
   options.title = "a<b> & \"c\"\x01 ü";

@@ -189,9 +189,12 @@ Player::Done Player::brush(const Call& call) {
 Player::Done Player::readBack(const Call& call, const BrushResult& result) {
   std::set<PolygonHandle> old(result.went.begin(), result.went.end()), made(result.came.begin(), result.came.end());
   for (const BrushChange& change : result.changed) {
+    if (change.now.empty()) return wrong("the brush tells of a polygon that it became nothing");
     old.insert(change.old);
     made.insert(change.now.begin(), change.now.end());
   }
+  if (old.size() != result.went.size() + result.changed.size())
+    return wrong("the brush tells twice what it did to a polygon");
   const CellRect cells = cellsUnder(call.brush);
   std::map<PolygonHandle, ScenePolygon> there;
   world().forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& p) {
@@ -205,7 +208,9 @@ Player::Done Player::readBack(const Call& call, const BrushResult& result) {
       const bool isKept = now != there.end() && now->second == ScenePolygon{cell, block, vertices};
       if (isKept == old.contains(handle))
         return wrong(fmt::format("the brush does not tell what it did to '{}'", name));
-      if (std::ranges::find(result.bent, handle) != result.bent.end()) brushed_.bent.push_back(name);
+      const bool isBent = std::ranges::find(result.bent, handle) != result.bent.end();
+      if (isKept && isBent) return wrong(fmt::format("the brush says that it bent '{}', which is as it was", name));
+      if (isBent) brushed_.bent.push_back(name);
       if (isKept) {
         there.erase(now);
       } else {

@@ -190,15 +190,6 @@ TEST(Brush, APolygonAtARoundedRimPointStays) {
   EXPECT_TRUE(world.polygon(beside->first).has_value());
 }
 
-TEST(Brush, AnEdgeDoesNotFollowTheRegionAcrossAnotherEdge) {
-  World world = worldOf(Ground::slanted);
-  for (const Ring& ring :
-       {Ring{{65526, 65524}, {65527, 65527}, {65530, 65528}}, Ring{{65526, 65525}, {65530, 65527}, {65524, 65525}}})
-    ASSERT_TRUE(paint(world, {{ring}, FillRule::evenOdd}, 1, PaintMode::replace).has_value());
-  world.commit();
-  EXPECT_EQ(world.loops().size(), 1U) << "the ground has no hole";
-}
-
 TEST(Brush, APolygonThatIsDrawnFromAnotherCornerKeepsItsHandle) {
   World world;
   const std::vector<LocalPoint> plain{{0, 0}, {900, 0}, {900, 300}, {0, 300}};

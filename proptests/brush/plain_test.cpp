@@ -50,7 +50,7 @@ void comparePlainCells(const Region& region, Plain& plain) {
 
 LGS_LAW(Brush, APlainCellComesOutAsArranged, 3'000, (const AnyRegion& any)) {
   Plain plain;
-  comparePlainCells(any.region, plain);
+  comparePlainCells(any.region(), plain);
 }
 
 /// Triangles and squares that turn around a corner of four cells, in steps of a few units.

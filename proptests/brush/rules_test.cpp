@@ -37,23 +37,6 @@ TEST(BrushRules, RingsMayRunEitherWayAround) {
   }
 }
 
-TEST(BrushRules, WhatReachesUnloadedCellsIsRefusedAsAWhole) {
-  World world;
-  const ShapeId square = *world.shape(kUnitSquare);
-  ASSERT_TRUE(world.fill({{0, 0}, {63, 31}}, square, 1));
-  EXPECT_EQ(world.unload({{32, 0}, {63, 31}}, {}), 1U);
-  world.commit();
-  for (const std::int64_t radius : {2, 20}) {
-    const Region hole = circle(latticePoint({31, 16}), radius * kCell);
-    EXPECT_EQ(carve(world, hole).error().code, ErrorCode::unloaded);
-    EXPECT_EQ(carve(world, hole, [](Block b) { return b == 1; }).error().code, ErrorCode::unloaded);
-    EXPECT_EQ(paint(world, hole, 2, PaintMode::fill).error().code, ErrorCode::unloaded);
-    EXPECT_EQ(paint(world, hole, 2, PaintMode::replace).error().code, ErrorCode::unloaded);
-  }
-  EXPECT_EQ(world.stats().polygons, 1'024U);
-  EXPECT_TRUE(carve(world, circle(latticePoint({29, 16}), 2 * kCell)));
-}
-
 TEST(BrushRules, VerticesMayBeRepeated) {
   World world;
   ASSERT_TRUE(
@@ -235,26 +218,6 @@ TEST(BrushRules, AnEdgeIsSharedAsFarAsItsNeighbourReaches) {
     }
   }
   EXPECT_EQ(doubled, 1'000 * 300 - 299 * 70);
-}
-
-// An edge of the region crosses the cell's rim just beside where it was cut there, in the middle of two other points.
-TEST(BrushRules, CarveAndPaintLeaveNoSeamBesideARoundedRimPoint) {
-  for (const FillRule rule : {FillRule::nonZero, FillRule::evenOdd})
-    expectNoSeam(Ground::solid, {{{{65'535, 65'541}, {65'535, 65'537}, {65'538, 65'535}},
-                                  {{65'535, 65'529}, {65'538, 65'537}, {65'524, 65'527}}},
-                                 rule});
-}
-
-// The carve leaves polygons that chords part. The region's edges cross the chords beside their own rounded chains.
-TEST(BrushRules, CarveAndPaintLeaveNoSeamBesideChords) {
-  for (const FillRule rule : {FillRule::nonZero, FillRule::evenOdd}) {
-    expectNoSeam(Ground::solid,
-                 {{{{65'525, 65'533}, {65'526, 65'524}, {65'527, 65'533}, {65'526, 65'529}, {65'530, 65'524}}}, rule});
-    expectNoSeam(Ground::solid,
-                 {{{{65'476, 65'476}, {65'476, 65'506}, {65'546, 65'481}, {65'501, 65'496}},
-                   {{65'476, 65'496}, {65'476, 65'491}, {65'496, 65'476}, {65'486, 65'481}, {65'536, 65'491}}},
-                  rule});
-  }
 }
 
 }  // namespace

@@ -14,21 +14,21 @@ namespace lgs::test {
 namespace {
 
 LGS_LAW(BrushStaying, IsRoundedByAUnitAtMost, 300, (const AnyStrokes& strokes)) {
-  World world = worldOf(strokes.ground);
-  for (oracle::BrushEdit edit : strokes.strokes) {
-    const oracle::Scene before = sceneOf(world);
+  World world = strokes.ground();
+  for (oracle::BrushEdit edit : strokes.strokes()) {
+    const oracle::Scene before = bareScene(world);
     edit.staying = {2, 3};
     must(stroke(world, edit));
-    failIf(farFromExact(before, edit, sceneOf(world)));
+    failIf(farFromExact(before, edit, bareScene(world)));
   }
 }
 
 LGS_LAW(BrushStaying, AllIsToFillAndNoneIsNothingSpecial, 500, (const AnyStrokes& strokes)) {
-  World around = worldOf(strokes.ground), filled = around, plain = around, none = around;
-  for (oracle::BrushEdit edit : strokes.strokes) {
+  World around = strokes.ground(), filled = around, plain = around, none = around;
+  for (oracle::BrushEdit edit : strokes.strokes()) {
     if (edit.deed != Deed::carve) {
-      must(paint(around, regionOf(edit), edit.block, PaintMode::replace, [](Block) { return true; }));
-      must(paint(filled, regionOf(edit), edit.block, PaintMode::fill));
+      must(paint(around, oracle::regionOf(edit), edit.block, PaintMode::replace, [](Block) { return true; }));
+      must(paint(filled, oracle::regionOf(edit), edit.block, PaintMode::fill));
     }
     must(stroke(plain, edit));
     edit.staying = {4'711};  // a block that is nowhere
@@ -40,9 +40,10 @@ LGS_LAW(BrushStaying, AllIsToFillAndNoneIsNothingSpecial, 500, (const AnyStrokes
 
 LGS_LAW(BrushRegions, CellsAreThoseInWhichSomethingChanges, 1'000, (const AnyRegion& any)) {
   World world;
-  const auto painted = paint(world, any.region, 1, PaintMode::fill);
-  const auto cells = cellsOf(any.region);
-  const auto bounds = boundsOf(any.region);
+  const Region region = any.region();
+  const auto painted = paint(world, region, 1, PaintMode::fill);
+  const auto cells = cellsOf(region);
+  const auto bounds = boundsOf(region);
   ASSERT_TRUE(painted && cells && bounds);
   const std::set<Cell> all(cells->begin(), cells->end());
   EXPECT_EQ(all.size(), cells->size()) << "a cell is named twice";
@@ -51,9 +52,9 @@ LGS_LAW(BrushRegions, CellsAreThoseInWhichSomethingChanges, 1'000, (const AnyReg
     EXPECT_TRUE(all.contains(cell));
     Ring ring;
     for (const LocalPoint v : p.vertices) ring.push_back(toWorld(cell, v));
-    EXPECT_TRUE(meets(any.region, ring));
+    EXPECT_TRUE(meets(region, ring));
     for (Point& v : ring) v.x += 9 * kUnitsPerCell;
-    EXPECT_FALSE(meets(any.region, ring));
+    EXPECT_FALSE(meets(region, ring));
   });
 }
 
@@ -90,11 +91,12 @@ bool isNearAnEdge(const Region& region, Point doubled, double units) {
 }
 
 LGS_LAW(BrushRegions, WithoutIsTheDifference, 300, (const AnyRegion& any, const AnyRegion& except, int seed)) {
-  const auto rest = must(without(any.region, except.region));
-  const CellRect cells = boundsOf(any.region).value();
+  const Region region = any.region(), taken = except.region();
+  const auto rest = must(without(region, taken));
+  const CellRect cells = boundsOf(region).value();
   if (isEmpty(cells)) return failUnless(rest.rings.empty(), "something is left of nothing");
-  Point min = any.region.rings[0][0], max = min;
-  for (const Ring& ring : any.region.rings) {
+  Point min = region.rings[0][0], max = min;
+  for (const Ring& ring : region.rings) {
     for (const Point p : ring) {
       min = {std::min(min.x, p.x), std::min(min.y, p.y)};
       max = {std::max(max.x, p.x), std::max(max.y, p.y)};
@@ -104,8 +106,8 @@ LGS_LAW(BrushRegions, WithoutIsTheDifference, 300, (const AnyRegion& any, const 
   for (int k = 0; k < 400; ++k) {
     const Point p{2 * min.x - 5 + random.below(static_cast<int>(2 * (max.x - min.x) + 10)),
                   2 * min.y - 5 + random.below(static_cast<int>(2 * (max.y - min.y) + 10))};
-    if (isNearAnEdge(any.region, p, 2) || isNearAnEdge(except.region, p, 2)) continue;
-    EXPECT_EQ(isIn(rest, p), isIn(any.region, p) && !isIn(except.region, p)) << p.x << " " << p.y << " / 2";
+    if (isNearAnEdge(region, p, 2) || isNearAnEdge(taken, p, 2)) continue;
+    EXPECT_EQ(isIn(rest, p), isIn(region, p) && !isIn(taken, p)) << p.x << " " << p.y << " / 2";
   }
 }
 

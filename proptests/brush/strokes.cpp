@@ -2,106 +2,113 @@
 
 #include "geometry/ring.h"
 #include "proptests/support/must.h"
+#include "proptests/support/played.h"
+#include "proptests/support/traces.h"
 
 #include <gtest/gtest.h>
 
-#include <ostream>
+#include <array>
 
 namespace lgs::test {
 namespace {
 
-constexpr std::int64_t kUnit = kUnitsPerCell;
+using oracle::Call;
+using oracle::Random;
+using oracle::Trace;
 
-rc::Gen<Point> points(std::int64_t step) {
-  return rc::gen::map(rc::gen::pair(rc::gen::inRange(-12, 13), rc::gen::inRange(-12, 13)),
-                      [step](std::pair<int, int> p) {
-                        return Point{kUnit + p.first * step, kUnit + p.second * step};
-                      });
+Point pointNear(Random& random, std::int64_t step) {
+  const std::int64_t x = random.between(-12, 12);
+  return {kUnitsPerCell + x * step, kUnitsPerCell + random.between(-12, 12) * step};
 }
 
-rc::Gen<Ring> rings(std::int64_t step) {
-  return rc::gen::mapcat(rc::gen::inRange<std::size_t>(3, 8),
-                         [step](std::size_t count) { return rc::gen::container<Ring>(count, points(step)); });
-}
-
-/// Even-odd regions of any rings, and unions of triangles.
-rc::Gen<Region> regions(std::int64_t step) {
-  const auto any = rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, 3), [step](std::size_t count) {
-    return rc::gen::map(rc::gen::container<std::vector<Ring>>(count, rings(step)), [](std::vector<Ring> r) {
-      return Region{std::move(r), FillRule::evenOdd};
-    });
-  });
-  const auto triangles = rc::gen::map(rc::gen::container<Ring>(9, points(step)), [](const Ring& corners) {
-    Region region;
-    for (std::size_t k = 0; k < corners.size(); k += 3) {
-      Ring ring(corners.begin() + static_cast<std::ptrdiff_t>(k), corners.begin() + static_cast<std::ptrdiff_t>(k) + 3);
-      if (detail::doubleArea(ring) < 0) std::swap(ring[1], ring[2]);
-      if (detail::doubleArea(ring) != 0) region.rings.push_back(ring);
-    }
-    return region;
-  });
-  return rc::gen::weightedOneOf<Region>({{2, any}, {1, triangles}});
-}
-
-rc::Gen<oracle::BrushEdit> strokesOn(std::int64_t step) {
-  const auto parts = rc::gen::tuple(rc::gen::element(Deed::carve, Deed::fill, Deed::replace),
-                                    rc::gen::inRange<Block>(1, 4), regions(step));
-  return rc::gen::map(parts, [](const std::tuple<Deed, Block, Region>& drawn) {
-    const auto& [deed, block, region] = drawn;
-    return oracle::BrushEdit{deed, block, region.rings, region.rule == FillRule::evenOdd};
-  });
-}
-
-rc::Gen<std::int64_t> steps() { return rc::gen::element<std::int64_t>(8'192, 10'007, 977, 37, 5, 1); }
-
-void show(const Region& region, std::ostream& out) {
-  out << (region.rule == FillRule::evenOdd ? "even-odd" : "non-zero");
-  for (const Ring& ring : region.rings) {
-    for (const Point p : ring) out << ' ' << p.x << ',' << p.y;
-    out << " |";
+/// An even-odd region of any rings, or a union of triangles.
+oracle::BrushEdit strokeNear(Random& random, std::int64_t step) {
+  constexpr std::array kDeeds{Deed::carve, Deed::fill, Deed::replace};
+  oracle::BrushEdit brush;
+  brush.deed = kDeeds[random.below(kDeeds.size())];
+  brush.block = brush.deed == Deed::carve ? 0 : random.between<Block>(1, 3);
+  brush.isEvenOdd = random.below(3) > 0;
+  brush.rings.resize(brush.isEvenOdd ? 1 + random.below(2U) : 3U);
+  for (Ring& ring : brush.rings) {
+    for (int k = brush.isEvenOdd ? random.between(3, 7) : 3; k > 0; --k) ring.push_back(pointNear(random, step));
+    if (!brush.isEvenOdd && detail::doubleArea(ring) < 0) std::swap(ring[1], ring[2]);
   }
+  if (!brush.isEvenOdd) std::erase_if(brush.rings, [](const Ring& ring) { return detail::doubleArea(ring) == 0; });
+  return brush;
 }
 
-}  // namespace
-
-void showValue(const AnyStrokes& strokes, std::ostream& out) {
-  out << "ground " << static_cast<int>(strokes.ground) << '\n';
-  for (const oracle::BrushEdit& s : strokes.strokes) {
-    constexpr const char* kNames[] = {"carve", "fill", "replace"};
-    out << kNames[static_cast<int>(s.deed)] << " block " << s.block << ' ';
-    show(regionOf(s), out);
-    out << '\n';
-  }
-}
-
-void showValue(const AnyRegion& region, std::ostream& out) { show(region.region, out); }
-
-World worldOf(Ground ground) {
-  World world;
-  if (ground == Ground::empty) return world;
-  for (std::int32_t i = 0; i < 3; ++i) {
+Trace groundOf(Ground ground) {
+  Trace trace;
+  const auto add = [&](Cell cell, Block block, std::vector<LocalPoint> vertices) {
+    trace.calls.push_back(Call::add("p" + std::to_string(trace.calls.size()), {cell, block, std::move(vertices)}));
+  };
+  for (std::int32_t i = 0; i < 3 && ground != Ground::empty; ++i) {
     for (std::int32_t j = 0; j < 3; ++j) {
       const Block block = ground == Ground::slanted ? static_cast<Block>(1 + (i + j) % 3) : 1;
+      // Two ramps, cut near the middle: blocks, if there are three, meet in many ways.
+      constexpr std::int32_t kEnd = kUnitsPerCell, kLow = kEnd / 3, kHigh = kEnd - 5;
       if (ground == Ground::solid) {
-        RC_ASSERT(world.add({i, j}, kUnitSquare, block).has_value());
-      } else {  // two ramps, cut near the middle: blocks, if there are three, meet in many ways
-        constexpr std::int32_t kEnd = kUnitsPerCell, kLow = kEnd / 3, kHigh = kEnd - 5;
-        const Block above = ground == Ground::slanted ? block % 3 + 1 : block;
-        RC_ASSERT(world.add({i, j}, {{0, 0}, {kEnd, 0}, {kEnd, kHigh}, {0, kLow}}, block).has_value());
-        RC_ASSERT(world.add({i, j}, {{0, kLow}, {kEnd, kHigh}, {kEnd, kEnd}, {0, kEnd}}, above).has_value());
+        add({i, j}, block, {kUnitSquare.begin(), kUnitSquare.end()});
+      } else {
+        add({i, j}, block, {{0, 0}, {kEnd, 0}, {kEnd, kHigh}, {0, kLow}});
+        add({i, j}, ground == Ground::slanted ? block % 3 + 1 : block,
+            {{0, kLow}, {kEnd, kHigh}, {kEnd, kEnd}, {0, kEnd}});
       }
     }
   }
-  return world;
+  return trace;
 }
 
-oracle::Scene sceneOf(const World& world) {
-  oracle::Scene scene;
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    scene.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
-  });
-  return scene;
+World worldOf(const Trace& trace) {
+  oracle::Player player(trace.preserve);
+  playAll(trace, player);
+  return player.world();
 }
+
+std::int64_t anyStep(Random& random) {
+  constexpr std::array<std::int64_t, 6> kSteps{8'192, 10'007, 977, 37, 5, 1};
+  return kSteps[random.below(kSteps.size())];
+}
+
+Trace strokesOnGround(int, Random random) {
+  constexpr std::array kGrounds{Ground::empty, Ground::solid, Ground::slanted, Ground::halved};
+  Trace trace = groundOf(kGrounds[random.below(kGrounds.size())]);
+  const std::int64_t step = anyStep(random);
+  for (int k = random.between(1, 6); k > 0; --k) trace.calls.push_back(Call::byBrush(strokeNear(random, step)));
+  return trace;
+}
+
+Trace oneStroke(int, Random random) {
+  const std::int64_t step = anyStep(random);
+  return {{}, {Call::byBrush(strokeNear(random, step))}};
+}
+
+bool isOneStroke(const Trace& trace) { return trace.calls.size() == 1 && hasBrushes(trace); }
+
+}  // namespace
+
+World AnyStrokes::ground() const {
+  Trace start = *this;
+  std::erase_if(start.calls, [](const Call& call) { return call.kind == Call::Kind::brush; });
+  return worldOf(start);
+}
+
+Strokes AnyStrokes::strokes() const {
+  Strokes all;
+  for (const Call& call : calls)
+    if (call.kind == Call::Kind::brush) all.push_back(call.brush);
+  return all;
+}
+
+rc::Gen<AnyStrokes> AnyStrokes::arbitrary() {
+  return rc::gen::map(traces(strokesOnGround, {}), [](Trace&& trace) { return AnyStrokes{std::move(trace)}; });
+}
+
+rc::Gen<AnyRegion> AnyRegion::arbitrary() {
+  return rc::gen::map(traces(oneStroke, isOneStroke), [](Trace&& trace) { return AnyRegion{std::move(trace)}; });
+}
+
+World worldOf(Ground ground) { return worldOf(groundOf(ground)); }
 
 std::vector<std::vector<Point>> outlines(World& world) {
   world.commit();
@@ -125,24 +132,6 @@ std::map<PolygonHandle, Standing> standingIn(const World& world) {
     all[p.handle] = {cell, p.block, {p.vertices.begin(), p.vertices.end()}};
   });
   return all;
-}
-
-rc::Gen<AnyStrokes> AnyStrokes::arbitrary() {
-  return rc::gen::mapcat(steps(), [](std::int64_t step) {
-    const auto grounds = rc::gen::element(Ground::empty, Ground::solid, Ground::slanted, Ground::halved);
-    const auto some = rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, 7), [step](std::size_t count) {
-      return rc::gen::container<Strokes>(count, strokesOn(step));
-    });
-    return rc::gen::map(rc::gen::pair(grounds, some), [](std::pair<Ground, Strokes> drawn) {
-      return AnyStrokes{drawn.first, std::move(drawn.second)};
-    });
-  });
-}
-
-rc::Gen<AnyRegion> AnyRegion::arbitrary() {
-  return rc::gen::mapcat(steps(), [](std::int64_t step) {
-    return rc::gen::map(regions(step), [](lgs::Region region) { return AnyRegion{std::move(region)}; });
-  });
 }
 
 }  // namespace lgs::test

@@ -3,16 +3,17 @@
 
 #include "oracle/calls/caller.h"
 #include "oracle/cgal/brushed.h"
-#include "oracle/trace/plain_edits.h"
+#include "oracle/trace/trace.h"
+#include "oracle/views/recompute.h"
 #include "proptests/support/arbitrary.h"
 
 #include <lgs/brush.h>
-#include <iosfwd>
 #include <map>
 #include <vector>
 
 namespace lgs::test {
 
+using oracle::bareScene;
 using oracle::stroke;
 using Deed = oracle::BrushEdit::Deed;
 using Strokes = std::vector<oracle::BrushEdit>;
@@ -21,24 +22,21 @@ using Strokes = std::vector<oracle::BrushEdit>;
 /// three blocks, the others have one.
 enum class Ground : std::uint8_t { empty, solid, slanted, halved };
 
-/// Strokes around the corner (1, 1) of four cells, with vertices on a lattice of their own. Its step is one unit or a
-/// few, so that everything is near everything else; or as long as that strokes reach over all cells.
-struct AnyStrokes {
-  Ground ground = Ground::empty;
-  Strokes strokes;
+/// A ground, and strokes around the corner (1, 1) of four cells, with vertices on a lattice of their own. Its step is
+/// one unit or a few, so that everything is near everything else; or as long as that strokes reach over all cells.
+struct AnyStrokes : oracle::Trace {
+  World ground() const;
+  Strokes strokes() const;
   static rc::Gen<AnyStrokes> arbitrary();
 };
-void showValue(const AnyStrokes& strokes, std::ostream& out);
 
-/// One region of that kind.
-struct AnyRegion {
-  Region region;
+/// One stroke of that kind, whose region counts.
+struct AnyRegion : oracle::Trace {
+  Region region() const { return oracle::regionOf(calls.at(0).brush); }
   static rc::Gen<AnyRegion> arbitrary();
 };
-void showValue(const AnyRegion& region, std::ostream& out);
 
 World worldOf(Ground ground);
-oracle::Scene sceneOf(const World& world);
 
 /// The outlines, with straight lines as one segment each.
 std::vector<std::vector<Point>> outlines(World& world);

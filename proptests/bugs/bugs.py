@@ -22,7 +22,7 @@ class Wrong(Exception):
 @dataclass(frozen=True)
 class Group:
     title: str
-    program: str  # that has the tests; "node" runs those of the npm package
+    program: str  # that has the tests; "node" runs those of the npm package; "lgs" checks, or replays traces
     tests: tuple[str, ...]  # how their names begin, those most to the point first
     each: bool  # whether each of them must find it, not only one
 
@@ -99,7 +99,8 @@ TEST = re.compile(r"^(?:TEST|TEST_F|TEST_P|LGS_LAW)\((\w+),\s*(\w+)", re.M)
 
 def faults(bugs: list[Bug]) -> list[str]:
     """What is wrong with the list, as far as it can be told without building anything."""
-    there = {path.name for path in (ROOT / "web/package/test").glob("*.test.js")}
+    there = {"check", *(path.stem for path in (ROOT / "proptests/regressions").glob("*.trace"))}
+    there |= {path.name for path in (ROOT / "web/package/test").glob("*.test.js")}
     there |= {f"{suite}.{name}" for room in ROOMS for path in (ROOT / room).rglob("*.cpp")
               for suite, name in TEST.findall(path.read_text())}
     found = []

@@ -119,7 +119,8 @@ MODES = (((), 1), (("--brushes",), 5), (("--views",), 5))
 @dataclass(frozen=True)
 class Command:
     """`lgs check`, for each seed and each of its modes. It is bounded by edits, so that the answer is the same on each
-    machine; what it takes is told in CPU seconds, up to the mismatch, without shrinking."""
+    machine, and begins nothing more once it has taken a minute. What it takes is told in CPU seconds, up to the
+    mismatch, without shrinking."""
     edits: int
     seeds: tuple[int, ...] = (1, 2, 3)
 
@@ -129,6 +130,8 @@ class Command:
     def search(self, shop: Workshop, program: Callable[[str], Path]) -> dict:
         seconds, out = 0.0, shop.folder / "check"
         for seed, (options, share) in itertools.product(self.seeds, MODES):
+            if seconds > 60:
+                return {"verdict": "passes", "seconds": round(seconds, 2), "how": "a minute is over"}
             words = ["check", *options, "--edits", str(max(1, self.edits // share)), "--seed", str(seed)]
             command = [program("lgs"), *words, "--out", out, "--shrink"]
             shutil.rmtree(out, ignore_errors=True)
@@ -143,9 +146,28 @@ class Command:
         if how := re.search(r"crashed with \w+|hung (asleep )?for \d+ s", ran.output):
             result["how"] = how[0]
         if not ran.timed_out and "hung" not in result.get("how", ""):
-            run([*command, 60], self.limit, memory="unlimited")
+            run([*command, 20], self.limit, memory="unlimited")
             result |= shrunk(out)
         return result
+
+
+@dataclass(frozen=True)
+class Replay:
+    """Traces of proptests/regressions whose names begin so, as CTest replays them."""
+    begin: str
+
+    kind, limit = "tests", 60
+    targets = Command.targets
+
+    def search(self, shop: Workshop, program: Callable[[str], Path]) -> dict:
+        seconds = 0.0
+        for trace in sorted((shop.tree / "proptests/regressions").glob(f"{self.begin}*.trace")):
+            ran = run([program("lgs"), "replay", trace, "--check"], self.limit, memory="unlimited")
+            seconds += ran.seconds
+            if ran.status != 0:
+                return {"verdict": "time-out" if ran.timed_out else "found", "by": f"lgs replay {trace.name}",
+                        "seconds": round(seconds, 2)}
+        return {"verdict": "passes", "seconds": round(seconds, 2)}
 
 
 MODULES = {"lgs_web": "lgs.wasm", "lgs_web_full": "lgs-full.wasm", "lgs_web_islands": "lgs-islands.wasm"}

@@ -10,7 +10,7 @@ from rules import Change, changes_of
 
 EXPLAINED = ROOT / "proptests/bugs/equivalent.txt"
 
-JUDGE = ("Check*:Compare*:Comparable*:Reference*:Preserve*:Naive*:Canonical*:Shrink*:Validity*:Window*:TraceBrush*:"
+JUDGE = ("Check*:Compare*:Comparable*:Reference*:Preserve*:Canonical*:Shrink*:Validity*:Window*:TraceBrush*:"
          "Fuzz*")
 # Of the engines under the harness those that are quick, and wait for nothing.
 ENGINES = ("PlantedBugs*:Capabilities*:Comparable*:Checker*:Reports.StaySmall:Reports.PagesShowWhatIsCompared:"

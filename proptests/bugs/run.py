@@ -28,6 +28,7 @@ import bugs
 import mutants
 import trying
 from bugs import Bug, Wrong
+from finished import Finished
 from mutants import Mutant
 from results import Results, changed_since
 from workshop import Workshop, alone
@@ -77,6 +78,8 @@ def parser() -> argparse.ArgumentParser:
     how.add_argument("--fuzz", metavar="TARGET", nargs="?", const="own",
                      help="this fuzz target; or, of the bugs that name one, each bug's own")
     how.add_argument("--executions", metavar="N", type=positive(int), default=100_000, help="of a fuzz target")
+    how.add_argument("--built", metavar="BUILD", type=Path,
+                     help="plant in copies of single objects of this finished build, and let only what is named look")
     how.add_argument("--scale", metavar="X", type=positive(float), help="LGS_TEST_SCALE (bugs: 1; mutants: 0.02)")
     result.add_argument("--list", action="store_true", help="show them, see that each applies, and build nothing")
     result.add_argument("--seed", metavar="N", type=int, default=1, help="of what is random (default: 1)")
@@ -95,9 +98,15 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         chosen = bugs.read_all()
     if arguments.canary is not None:
         bug = random.Random(arguments.canary).choice([b for b in chosen if b.list.startswith(("law1-", "law2-"))])
-        return [dataclasses.replace(bug, group=dataclasses.replace(bug.group, tests=("Bulk/",)))]
+        bulk = dataclasses.replace(bug.group, program="lgs_engine_tests", tests=("Bulk/",))
+        return [dataclasses.replace(bug, group=bulk)]
     if arguments.score:
         chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN)]
+    if arguments.built:
+        built = Finished(arguments.built)
+        programs = {name for name in {bug.group.program for bug in chosen} - {"lgs_cost_tests"} if built.has(name)}
+        chosen = [bug for bug in chosen if bug.file.startswith("lib/") and "/include/" not in bug.file
+                  and bug.group.program in programs]  # what many objects see takes too long
     if arguments.fuzz == "own":
         chosen = [bug for bug in chosen if bug.fuzz]
     if arguments.changed:
@@ -127,7 +136,9 @@ def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> di
 
     def work(number: int) -> None:
         try:
-            bench = trying.Bench(Workshop(number, max(1, (os.cpu_count() or 1) // jobs)), arguments, results)
+            shop = (Finished(arguments.built, number) if arguments.built
+                    else Workshop(number, max(1, (os.cpu_count() or 1) // jobs)))
+            bench = trying.Bench(shop, arguments, results)
             while not stop.is_set() and time.monotonic() < ends:
                 with lock:
                     if not waiting:
@@ -216,7 +227,8 @@ def main() -> int:
     verdicts = [outcome["verdict"] for outcome in done.values()]
     if "does not compile" in verdicts and not arguments.mutants:
         return 2
-    bad = {"passes", "its report is lost"} | (set() if arguments.mutants else {"time-out", "same code"})
+    bad = {"passes", "its report is lost"} | (set() if arguments.mutants else {"same code"})
+    bad |= set() if arguments.mutants or arguments.built else {"time-out"}
     others = arguments.canary is not None and any(outcome.get("how") == "of another group" for outcome in done.values())
     return int(bool(bad & set(verdicts)) or others)
 

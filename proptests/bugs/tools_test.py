@@ -3,6 +3,7 @@
 
 import argparse
 import contextlib
+import shutil
 import tempfile
 import unittest
 import unittest.mock
@@ -10,9 +11,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import bugs
+import finished
 import mutants
 import run
 import trying
+import workshop
 from bugs import Wrong
 from finders import Tests, shrunk
 from results import Results, changed_since, git
@@ -180,7 +183,7 @@ class Attempts(unittest.TestCase):
     def attempt(self, replace: str, *words: str, each: bool = False, score: bool = False) -> dict:
         bug = bugs.Bug("law", bugs.Group("", "", ("x",), each), "a.cpp", "bug", None, (("good", replace),))
         with tempfile.TemporaryDirectory() as folder:
-            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(score=score), None)
+            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(score=score, built=None), None)
             bench.finders = lambda _: [Looks((word,)) for word in words]
             outcome = bench.attempt(bug)
             self.assertEqual((Path(folder) / "a.cpp").read_text(), "good code")
@@ -203,6 +206,44 @@ class Attempts(unittest.TestCase):
     def test_what_finds_something_without_a_bug_finds_nothing(self):
         with self.assertRaisesRegex(Wrong, "without any bug"):
             self.attempt("bad", "code")
+
+
+BUILD = """rule compile
+  command = c++ -I{0}/lib -MD -MF $out.d -o $out -c $in
+  deps = gcc
+  depfile = $out.d
+rule archive
+  command = ar rcs $out $in
+rule link
+  command = c++ $in -o $out lib/liba.a
+build lib/a.o: compile {0}/lib/a.cpp
+build lib/liba.a: archive lib/a.o
+build main.o: compile {0}/main.cpp
+build program: link main.o | lib/liba.a
+"""
+
+
+@unittest.skipUnless(shutil.which("ninja") and shutil.which("c++"), "without Ninja or a compiler")
+class FinishedBuild(unittest.TestCase):
+    def test_a_program_is_linked_with_the_bug_and_nothing_else_changes(self):
+        with tempfile.TemporaryDirectory() as name, contextlib.ExitStack() as patched:
+            root = Path(name).resolve()
+            for module in ("finished.ROOT", "finished.FOLDER"):
+                patched.enter_context(unittest.mock.patch(module, root / ("." if module.endswith("ROOT") else "bugs")))
+            for file, text in (("lib/b.h", "inline int g() { return 1; }"), ("oracle/none.h", ""),
+                               ("lib/a.cpp", '#include "b.h"\nint f() { return g(); }'),
+                               ("main.cpp", "int f();\nint main() { return f(); }"),
+                               ("build/build.ninja", BUILD.format(root))):
+                (root / file).parent.mkdir(parents=True, exist_ok=True)
+                (root / file).write_text(text)
+            workshop.make(["ninja", "-C", root / "build", "program"])
+            shop = finished.Finished(root / "build")
+            for file, text in (("lib/a.cpp", "int f() { return 2; }"), ("lib/b.h", "inline int g() { return 2; }")):
+                with shop.changed(file, text):
+                    shop.build("", "program")
+                    self.assertEqual(workshop.run([shop.program("", "program")], 5).status, 2)
+                self.assertEqual(workshop.run([shop.program("", "program")], 5).status, 1)
+            self.assertEqual((root / "lib/b.h").read_text(), "inline int g() { return 1; }")
 
 
 INSIDE = "void f() {{\n  {}\n}}\n"

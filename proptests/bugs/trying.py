@@ -8,7 +8,7 @@ from pathlib import Path
 
 import finders
 from bugs import Bug, Wrong
-from finders import Command, Fuzz, Package, Tests
+from finders import Command, Fuzz, Package, Replay, Tests
 from mutants import COMPONENTS, Mutant
 from results import Results
 from workshop import DoesNotBuild, Workshop
@@ -35,7 +35,8 @@ class Bench:
 
     def attempt(self, bug: Bug | Mutant) -> dict:
         looking = self.finders(bug)
-        kind = "headers" if looking[0].kind == "tests" and bug.file.endswith(".h") else looking[0].kind
+        is_header = looking[0].kind == "tests" and bug.file.endswith(".h") and not self.arguments.built
+        kind = "headers" if is_header else looking[0].kind
         targets = {target: name for finder in looking for target, name in finder.targets.items()}
         self.prepare(kind, targets, looking)
         if isinstance(bug, Mutant):
@@ -67,7 +68,11 @@ class Bench:
                     for f in COMPONENTS[bug.component][1]]
         if bug.group.program == "node":
             return [Package(test) for test in bug.group.tests]
+        if bug.group.program == "lgs":
+            return [Command(a.edits) if test == "check" else Replay(test) for test in bug.group.tests]
         own = [f"{prefix}*" for prefix in bug.group.tests]
+        if a.built:  # in a bounded time
+            return [Tests(bug.group.program, text, a.seed, a.scale or 1.0, limit=120) for text in own]
         last = self.results.last(bug).get("by", "")
         filters = [*([last] if last.startswith(bug.group.tests) else []), *own, "*-" + ":".join(own)]
         return [Tests(bug.group.program, text, a.seed, a.scale or 1.0) for text in filters]

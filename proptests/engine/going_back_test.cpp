@@ -78,25 +78,5 @@ TEST(UnloadedByHand, AWalkWithMarksLeavesNothingBehind) {
   EXPECT_EQ(world.stats().bytes, bytes);
 }
 
-TEST(UnloadedByHand, AChunkAtTheEndOfTheWorldComesBackEmpty) {
-  World world;
-  const CellRect corner{{kMaxCell, kMaxCell}, {kMaxCell, kMaxCell}};
-  const PolygonHandle old = place(world, corner.min, unitSquare());
-  place(world, {kMaxCell - 1, kMaxCell}, unitSquare());
-  world.commit();
-  Shelf shelf;
-  ASSERT_EQ(world.unload(corner, shelf.sink()), 1U);
-  world.commit();
-  ASSERT_EQ(world.reloadEmpty(corner), 1U);
-  world.commit();
-  std::vector<std::byte> saved;
-  ASSERT_TRUE(
-      world.save([&](std::span<const std::byte> part) { saved.insert(saved.end(), part.begin(), part.end()); }));
-  EXPECT_TRUE(World::load(saved)) << "no cell beyond the end has a serial";
-  ASSERT_EQ(world.unload(corner, shelf.sink()), 1U);
-  EXPECT_TRUE(shelf.reload(world, Cell{kMaxCell, kMaxCell}));
-  EXPECT_GT(place(world, corner.min, unitSquare()).serial, old.serial);
-}
-
 }  // namespace
 }  // namespace lgs::test

@@ -25,6 +25,11 @@ struct TraceOfCalls : oracle::Trace {
   static rc::Gen<TraceOfCalls> arbitrary();
 };
 
+/// The same, but that chunks stay in memory and the world is not saved: so views can follow it.
+struct FollowedTrace : oracle::Trace {
+  static rc::Gen<FollowedTrace> arbitrary();
+};
+
 /// Every edit is good.
 struct GoodTrace : oracle::Trace {
   static rc::Gen<GoodTrace> arbitrary();

@@ -60,17 +60,6 @@ TEST(ViewsByHand, FollowingBeginsBehindNotesThatAreGone) {
   EXPECT_EQ(world.cellChanges()[0].cell, (Cell{1, 0}));
 }
 
-TEST(ViewsByHand, AGroupThatFailsIsNotTold) {
-  World world;
-  ASSERT_TRUE(world.followCells(true));
-  {
-    const Transaction group = world.edit();
-    place(world, {}, unitSquare());
-  }
-  world.commit();
-  EXPECT_TRUE(world.cellChanges().empty());
-}
-
 TEST(ViewsByHand, WhatCellsHeldOutlivesIt) {
   World world;
   ASSERT_TRUE(world.followCells(true));

@@ -1,7 +1,5 @@
-// The hashes of the ground equal those worked out anew from all polygons, after each commit and roll-back; they follow
-// from the polygons alone; and where two worlds differ is where they do.
+// The hashes of the ground follow from the polygons alone, at all levels; and where two worlds differ is where they do.
 #include "oracle/views/ground_hashes.h"
-#include "proptests/laws/calls.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
 
@@ -66,45 +64,6 @@ void expectDifferences(const World& a, const GroundHashes& hashesOfA, const Worl
   EXPECT_EQ(hashesOfA.hash() == hashesOfB.hash(), samePolygons(a, b));
   std::ranges::sort(found, {}, [](const CellRect& r) { return r.min; });
   EXPECT_EQ(found, differencesOf(a, b));
-}
-
-/// Hashes that go wherever their world goes.
-class FollowerOfHashes {
- public:
-  explicit FollowerOfHashes(const Setting& setting) : caller_(setting.start()) { begin(); }
-
-  void make(const Call& call) {
-    const bool told = call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.hasMarks());
-    if (caller_.make(call).refusal) return;
-    if (call.kind == Call::Kind::load) return begin();
-    if (call.kind == Call::Kind::copy) hashes_ = GroundHashes(hashes_);
-    if (!told) return;
-    hashes_.update(caller_.world.cellChanges());
-    if (!isCommitted(caller_.world))
-      return;  // there is nothing to compare with: what is pending can be read, and was told to nobody
-    expectRight(caller_.world, hashes_);
-    expectDifferences(before_, ofBefore_, caller_.world, hashes_);
-    before_ = caller_.world;
-    ofBefore_ = hashes_;
-  }
-
- private:
-  void begin() {
-    EXPECT_TRUE(caller_.world.followCells(true));
-    hashes_ = GroundHashes(caller_.world);
-    expectRight(caller_.world, hashes_);
-  }
-
-  Caller caller_;
-  GroundHashes hashes_{caller_.world};
-  World before_;
-  GroundHashes ofBefore_{before_};
-};
-
-LGS_LAW(Hashes, EqualThoseOfAllPolygons, 300, (const AnyCalls& calls, const Setting& setting)) {
-  FollowerOfHashes follower(setting);
-  for (const Call& call : calls.list) follower.make(call);
-  follower.make(Call());  // a commit
 }
 
 /// On, or beside, borders of squares of all levels.

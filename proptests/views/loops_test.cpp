@@ -1,7 +1,6 @@
-// The view of loops equals a walk along all links, after each commit and roll-back, and says what changed.
+// The view of loops by example, and what it costs. law15_views_test.cpp has the law.
 #include "oracle/views/loop_check.h"
-#include "proptests/laws/calls.h"
-#include "proptests/support/law.h"
+#include "proptests/support/worlds.h"
 
 #include <lgs/loops.h>
 
@@ -11,48 +10,6 @@
 
 namespace lgs::test {
 namespace {
-
-/// A view that goes wherever its world goes.
-class LoopFollower {
- public:
-  explicit LoopFollower(Caller& caller) : caller_(caller) { begin(); }
-
-  void make(const Call& call) {
-    if (call.kind == Call::Kind::goBack && !caller_.hasMarks()) return;  // nothing would happen
-    const oracle::Outcome outcome = caller_.make(call);
-    if (outcome.refusal) return;
-    if (call.kind == Call::Kind::load) return begin();
-    if (call.kind == Call::Kind::copy) loops_ = Loops(loops_);
-    if (call.kind != Call::Kind::commit && call.kind != Call::Kind::goBack) return;
-    const auto& [removed, added, relinked] = outcome.changes;
-    const Changes changes{removed, added, relinked, loops_.version(), caller_.world.version()};
-    failUnless(loops_.update(caller_.world, changes), "the update was refused");
-    // What is pending again after going back can be read, and has no segments yet: then there is nothing to compare.
-    const bool isPending = !isCommitted(caller_.world);
-    if (!isPending) failIf(wasPending_ ? check_.begin(caller_.world, loops_) : check_.update(caller_.world, loops_));
-    wasPending_ = isPending;
-  }
-
- private:
-  void begin() {
-    failUnless(caller_.world.followCells(true).has_value(), "the world does not follow its cells");
-    loops_ = Loops(caller_.world);
-    failIf(check_.begin(caller_.world, loops_));
-    wasPending_ = false;
-  }
-
-  Caller& caller_;
-  Loops loops_{caller_.world};
-  oracle::LoopCheck check_;
-  bool wasPending_ = false;
-};
-
-LGS_LAW(LoopView, EqualsAWalkAlongAllLinks, 500, (const AnyCalls& calls, const Setting& setting)) {
-  Caller caller = setting.start();
-  LoopFollower follower(caller);
-  for (const Call& call : calls.list) follower.make(call);
-  follower.make(Call());  // a commit
-}
 
 /// A world of whole cells in rows: '#' is solid. The first row is the upper one.
 World worldOf(const std::vector<std::string>& rows) {
@@ -90,48 +47,6 @@ TEST(LoopViewByHand, ACutMakesTwoOfOneAndAJoinOneOfTwo) {
   EXPECT_EQ(loops.changes().joined, (std::vector{LoopPair{split.into, whole}}));
   EXPECT_EQ(areaOf(loops, whole), 5);
   EXPECT_FALSE(loops.loop(split.into));
-}
-
-TEST(LoopViewByHand, AHoleIsALoopOfNegativeArea) {
-  World world = worldOf({"####", "#..#", "####"});
-  const Loops loops(world);
-  std::vector<double> areas;
-  for (const LoopId id : loops.all()) areas.push_back(areaOf(loops, id));
-  std::ranges::sort(areas);
-  EXPECT_EQ(areas, (std::vector<double>{-2, 12}));
-}
-
-TEST(LoopViewByHand, ALoopThatIsPaintedKeepsItsId) {
-  World world = worldOf({"#"});
-  Loops loops(world);
-  const std::vector<LoopId> before = loops.all();
-  ASSERT_TRUE(world.setBlock(world.polygons({0, 0}).front().handle, 2));
-  ASSERT_TRUE(loops.update(world, world.commit()));
-  EXPECT_EQ(loops.all(), before);
-  EXPECT_EQ(loops.changes().changed, before);
-}
-
-// Found by lgs check --views: two holes come of one, with as many of its segments, the same westernmost vertex and the
-// same area. It was not said which of them keeps the id.
-TEST(LoopViewByHand, OfTwoHolesThatMirrorEachOtherOneKeepsTheId) {
-  constexpr std::int32_t U = kUnitsPerCell;
-  World world;
-  place(world, {2, 0}, {{0, 0}, {U, U}, {0, U}});
-  place(world, {1, 1}, {{U, 0}, {U, U}, {0, U}});
-  place(world, {2, 1}, {{0, U / 2}, {U / 2, 0}, {U, 0}});
-  world.commit();
-  Loops loops(world);
-  oracle::LoopCheck check;
-  ASSERT_FALSE(check.begin(world, loops));
-  place(world, {2, 1}, {{0, 0}, {3 * U / 8, U / 8}, {U / 8, 3 * U / 8}});
-  ASSERT_TRUE(loops.update(world, world.commit()));
-  EXPECT_EQ(check.update(world, loops), std::nullopt);
-  ASSERT_EQ(loops.changes().split.size(), 1U);
-  const LoopFacts kept = *loops.loop(loops.changes().split.front().from);
-  const LoopFacts other = *loops.loop(loops.changes().split.front().into);
-  EXPECT_EQ(kept.doubleArea, other.doubleArea);
-  EXPECT_EQ(kept.west, other.west);
-  EXPECT_LT(kept.first, other.first);
 }
 
 TEST(LoopViewByHand, ChangesThatDoNotFitAreRefused) {

@@ -22,45 +22,10 @@ CellPieces piecesOf(const Polygons& polygons, std::size_t maxVertices = 8) {
   return piecesIn(pieces, Cell{});
 }
 
-const Polygons kFrame{eighths({{0, 0}, {8, 0}, {8, 2}, {2, 2}, {2, 8}, {0, 8}}),
-                      eighths({{8, 2}, {8, 8}, {2, 8}, {2, 6}, {6, 6}, {6, 2}})};
-
 TEST(PiecesByHand, NothingAndAll) {
   EXPECT_EQ(piecesOf({}), (CellPieces{{}, {unitSquare()}}));
   EXPECT_EQ(piecesOf({unitSquare()}), (CellPieces{{{0, unitSquare()}}, {}}));
   EXPECT_EQ(piecesOf({ramp()}), (CellPieces{{{0, ramp()}}, {eighths({{0, 0}, {8, 8}, {0, 8}})}}));
-}
-
-TEST(PiecesByHand, CollinearVerticesAreLeftOut) {
-  EXPECT_EQ(piecesOf(shapeNamed("square of eight")), (CellPieces{{{0, unitSquare()}}, {}}));
-}
-
-TEST(PiecesByHand, AnIslandInAHole) {
-  Polygons polygons = kFrame;
-  polygons.push_back(eighths({{3, 3}, {5, 3}, {5, 5}, {3, 5}}));
-  const CellPieces pieces = piecesOf(polygons);
-  EXPECT_EQ(pieces.free.size(), 4U);
-}
-
-TEST(PiecesByHand, AHoleTouchesAnOuterLoop) {  // in a point, from inside; the free part is two that touch there
-  const CellPieces pieces = piecesOf(
-      {eighths({{0, 0}, {8, 0}, {4, 4}}), eighths({{8, 0}, {8, 8}, {4, 4}}), eighths({{0, 8}, {0, 0}, {4, 4}})});
-  EXPECT_EQ(pieces.free, (Polygons{eighths({{0, 8}, {4, 4}, {8, 8}})}));
-  const CellPieces touching = piecesOf({eighths({{0, 0}, {8, 0}, {8, 4}, {0, 4}}), eighths({{2, 4}, {4, 6}, {0, 8}})});
-  EXPECT_EQ(touching.solid.size(), 2U);
-}
-
-TEST(PiecesByHand, SolidsThatTouchInAPointOnly) {
-  const CellPieces pieces = piecesOf(shapeNamed("hourglass"));
-  EXPECT_EQ(pieces.solid.size(), 2U);
-  EXPECT_EQ(pieces.free.size(), 2U);
-}
-
-TEST(PiecesByHand, Slivers) {
-  piecesOf({{{0, 0}, {U, U - 1}, {U, U}}, {{0, 0}, {U, 1}, {U, 2}}, {{0, 0}, {1, U - 1}, {1, U}}});
-  piecesOf({{{0, 0}, {1, 0}, {0, 1}}, {{U, U}, {U - 1, U}, {U, U - 1}}, {{7, 9}, {8, 9}, {8, 10}, {7, 10}}});
-  // Edges that run along each other for a part, by directions that have no smaller vector.
-  piecesOf({{{0, 0}, {U, 0}, {3 * 5461, 3 * 3641}}, {{0, 0}, {2 * 5461, 2 * 3641}, {0, U}}});
 }
 
 TEST(PiecesByHand, TwoHundredAndTwentyFivePolygons) {
@@ -112,17 +77,6 @@ TEST(PiecesByHand, PortalsAcrossASideAreCutAtVerticesOfEither) {
     if (portal.to.cell == Cell{1, 0}) east.push_back(portal);
   const auto at = [](std::int64_t eighth) { return Point{U, eighth * U / 8}; };
   EXPECT_EQ(east, (std::vector<Portal>{{{{1, 0}, 0}, at(3), at(5)}, {{{1, 0}, 1}, at(6), at(8)}}));
-}
-
-TEST(PiecesByHand, APointIsNoWay) {
-  World world;
-  place(world, {0, 0}, unitSquare());
-  place(world, {1, 1}, unitSquare());
-  const Pieces pieces(world);
-  for (const Portal& portal : pieces.portals({{1, 0}, 0})) EXPECT_NE(portal.to.cell, (Cell{0, 1}));
-  EXPECT_EQ(pieces.portals({{1, 0}, 0}).size(), 2U);
-  EXPECT_TRUE(pieces.portals({{1, 0}, 1}).empty()) << "there is no such piece";
-  EXPECT_TRUE(pieces.portals({{0, 0}, 0}).empty()) << "nothing is free there";
 }
 
 TEST(PiecesByHand, BeyondTheLastCellIsNothing) {
@@ -185,49 +139,6 @@ TEST(PiecesByHand, EqualPolygonsAreWorkedOutOnce) {
   EXPECT_EQ(pieces.stats(), (PiecesStats{0, 1, 1})) << "a content that no cell has is forgotten";
   EXPECT_EQ(copy.stats(), (PiecesStats{41 * 41, 2, 1}));
   EXPECT_FALSE(copy.solidPieces({20, -20}).empty()) << "a copy goes its own way";
-}
-
-TEST(PiecesByHand, UndoneAndRedone) {
-  World world;
-  place(world, {}, ramp());
-  world.commit();
-  ASSERT_TRUE(world.followCells(true));
-  Pieces pieces(world);
-  const std::vector<Cell> both{{0, 0}, {1, 0}};
-  const PiecesByCell before = piecesIn(pieces, both);
-  const Mark start = world.checkpoint();
-  ASSERT_TRUE(world.clear(Cell{}));
-  place(world, {1, 0}, unitSquare());
-  world.commit();
-  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 2U);
-  const PiecesByCell dug = piecesIn(pieces, both);
-  const Mark end = world.checkpoint();
-  ASSERT_TRUE(world.rollBack(start, Undone::keep));
-  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 2U);
-  EXPECT_EQ(piecesIn(pieces, both), before);
-  ASSERT_TRUE(world.rollForward(end));
-  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 2U);
-  EXPECT_EQ(piecesIn(pieces, both), dug);
-}
-
-TEST(PiecesByHand, OtherBlocksAreNoOtherPieces) {
-  World world;
-  const PolygonHandle polygon = place(world, {}, ramp(), 1);
-  world.commit();
-  ASSERT_TRUE(world.followCells(true));
-  Pieces pieces(world);
-  ASSERT_TRUE(world.setBlock(polygon, 2));
-  world.commit();
-  EXPECT_EQ(world.cellChanges().size(), 1U);
-  EXPECT_TRUE(pieces.update(world.cellChanges()).empty());
-  ASSERT_TRUE(world.clear(Cell{}));
-  place(world, {}, unitSquare());
-  world.commit();
-  EXPECT_EQ(pieces.update(world.cellChanges()), std::vector<Cell>{Cell{}});
-  ASSERT_TRUE(world.clear(Cell{}));
-  place(world, {}, shapeNamed("square of eight")[0]);
-  world.commit();
-  EXPECT_TRUE(pieces.update(world.cellChanges()).empty()) << "another content, and the same pieces";
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
-// Pieces are the parts of what is solid and of what is free, in any content; and they are kept up to date: after each
-// commit and roll-back they are those of a full recompute, and the cells that have other pieces are told exactly.
+// Pieces are the parts of what is solid and of what is free, in any content, with any limit, however it came about.
 #include "oracle/views/piece_check.h"
-#include "proptests/laws/calls.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
@@ -15,50 +13,6 @@ namespace lgs::test {
 namespace {
 
 constexpr std::array<std::size_t, 4> kLimits{8, 3, 5, kMaxVerticesPerCell};
-
-/// Pieces that follow a world, and all that must hold of them after each commit.
-class FollowerOfPieces {
- public:
-  FollowerOfPieces(const Setting& setting, std::size_t maxVertices)
-      : caller_(setting.start()), options_{maxVertices}, pieces_(caller_.world, options_) {
-    begin();
-  }
-
-  void make(const Call& call) {
-    caller_.make(call);
-    if (call.kind == Call::Kind::load) return begin();
-    if (call.kind == Call::Kind::copy) pieces_ = Pieces(pieces_);
-    if (call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.hasMarks())) follow();
-  }
-
- private:
-  /// A loaded world follows nothing yet.
-  void begin() {
-    EXPECT_TRUE(caller_.world.followCells(true));
-    pieces_ = Pieces(caller_.world, options_);
-    failIf(check_.begin(caller_.world, pieces_));
-  }
-
-  void follow() {
-    const std::uint64_t workedOut = pieces_.stats().workedOut;
-    const std::span<const CellChange> changes = caller_.world.cellChanges();
-    const std::vector<Cell> changed = pieces_.update(changes);
-    EXPECT_LE(pieces_.stats().workedOut, workedOut + changes.size());
-    failIf(isCommitted(caller_.world) ? check_.update(caller_.world, pieces_, changed)
-                                      : check_.updateOfPending(caller_.world, pieces_, changed));
-  }
-
-  Caller caller_;
-  PiecesOptions options_;
-  Pieces pieces_;
-  oracle::PieceCheck check_;
-};
-
-LGS_LAW(Pieces, FollowEdits, 150, (const Setting& setting, const AnyCalls& calls, Chance chance)) {
-  FollowerOfPieces follower(setting, kLimits[chance.below(kLimits.size())]);
-  for (const Call& call : calls.list) follower.make(call);
-  follower.make(Call());  // a commit
-}
 
 /// Pieces of a world that is read once.
 void expectPieces(const World& world, std::size_t maxVertices) {

@@ -1,5 +1,5 @@
 // The engine of examples/engines/naive.py is right. With each of some bugs planted in it, what is found is right and
-// small.
+// small. report_test.cpp has a bug of each kind that a report counts.
 #include "oracle/tests/engines/workbench.h"
 
 namespace lgs::test {
@@ -9,8 +9,8 @@ class PlantedBugs : public Workbench {
  protected:
   /// The finding must have all these parts in its text.
   void expectFound(const std::string& piece, const std::string& instead, const std::vector<std::string>& parts,
-                   std::size_t most = 4, int timeout = kPatience) const {
-    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 60", timeout);
+                   std::size_t most = 4) const {
+    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 60");
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     for (const std::string& part : parts)
       EXPECT_NE(outcome.text.find(part), std::string::npos) << part << "\n" << outcome.text;
@@ -25,34 +25,13 @@ TEST_F(PlantedBugs, NoneInTheEngineAsItIs) {
   EXPECT_NE(outcome.text.find("no mismatch\nedits      2000, "), std::string::npos) << outcome.text;
 }
 
-TEST_F(PlantedBugs, EdgesAreNotCut) {
-  expectFound("for v in lines[1 - along].get(a[1 - along], ())", "for v in (a, b)",
-              {"outline differs", "extra segment: "});
-}
-
-TEST_F(PlantedBugs, NothingIsCancelled) {
-  expectFound("e[::-1] not in edges or", "True or", {"outline differs", "should have been cancelled"}, 2);
-}
-
-TEST_F(PlantedBugs, ThePreserveRelationIsIgnored) {
-  expectFound("in preserve}", "in ()}", {"preserve ", "to be preserved, cancelled"}, 2);
-}
-
 TEST_F(PlantedBugs, EverythingIsPreservedOrNothing) {
   expectFound("frozenset((b, edges[e[::-1]])) in preserve}", "preserve}", {"preserve ", "should have been cancelled"},
               2);
 }
 
-TEST_F(PlantedBugs, PredecessorsAreFoundTheOtherWayRound) {
-  expectFound("into.get(a, []), -1)", "into.get(a, []), 1)", {"wrong ghost1 at"});
-}
-
 TEST_F(PlantedBugs, TheLastSuccessorIsTakenForTheFirst) {
   expectFound("return min((t for", "return max((t for", {"wrong ghost"});
-}
-
-TEST_F(PlantedBugs, BlocksAreMixedUp) {
-  expectFound("out_of.get(b, []), 1), block", "out_of.get(b, []), 1), polygons[0][0]", {"wrong block: expected"}, 2);
 }
 
 TEST_F(PlantedBugs, CornersThatTouchDoNotHoldTogether) {
@@ -64,25 +43,10 @@ TEST_F(PlantedBugs, AnIslandHasTheAreaOfItsLastPolygon) {
   expectFound("area += other[1]", "pass", {"missing island: westernmost vertex", "extra island: "}, 2);
 }
 
-TEST_F(PlantedBugs, AnotherPolygonIsRemoved) {
-  expectFound("del polygons[rest[0]]", "polygons.popitem()", {"remove ", "outline differs"});
-}
-
 TEST_F(PlantedBugs, AGoodEditIsRefused) {
   expectFound("elif word == \"commit\":",
               "elif word == \"commit\":\n            if len(polygons) == 2: print(\"refused p2 why?\")",
               {"refused, but is good: 'p2': why?"}, 2);
-}
-
-TEST_F(PlantedBugs, ItCrashesNowAndThen) {
-  expectFound("del polygons[rest[0]]", "del polygons[rest[0]]; not polygons and __import__(\"os\").abort()",
-              {"the engine crashed with SIGABRT after edit", "remove p1"}, 2);
-}
-
-TEST_F(PlantedBugs, ItHangsNowAndThen) {
-  expectFound("polygons[rest[0]] = block, ",
-              "\n            while len(polygons) == 2: pass\n            polygons[rest[0]] = block, ",
-              {"the engine has not answered within"}, 3, 3);
 }
 
 // The case before has left something, so the case alone is right, and can not be shrunk.

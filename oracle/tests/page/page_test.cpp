@@ -52,33 +52,6 @@ std::string ends(const Json& data, const Json& segment) {
   return text("start").get<std::string>() + " " + text("end").get<std::string>();
 }
 
-TEST(Page, HasAStepForEachEdit) {
-  const Json data = dataOf(test::uncutWall());
-  const Json& steps = data["steps"];
-  EXPECT_THAT(texts(steps, "edit"),
-              ElementsAre("", StartsWith("add floor 0 0 1 "), "commit", StartsWith("add wall 1 0 3"),
-                          StartsWith("add bad "), "add tooth 0 1 2  0 1 0.5 0 1 0.5", "remove wall", "commit"));
-  EXPECT_THAT(texts(steps, "note"), ElementsAre("", "", "", "", HasSubstr("must be refused"), "", "", ""));
-  EXPECT_EQ(steps[1]["added"], Json::array({0}));
-  EXPECT_EQ(steps[6]["removed"], Json::array({1}));
-  EXPECT_FALSE(steps[4].contains("added"));
-  EXPECT_EQ(data["polygons"].size(), 3u);
-  EXPECT_EQ(data["polygons"][2]["name"], "tooth");
-}
-
-TEST(Page, HasTheOutlineAfterEachCommit) {
-  const Json data = dataOf(test::uncutWall());
-  const Json& steps = data["steps"];
-  EXPECT_TRUE(steps[0]["expected"].empty());
-  EXPECT_EQ(steps[2]["expected"].size(), 4u);
-  EXPECT_FALSE(steps[2].contains("actual"));
-  EXPECT_FALSE(steps[3].contains("expected"));
-  EXPECT_EQ(steps[7]["expected"].size(), 8u);
-  EXPECT_EQ(steps[7]["actual"].size(), 7u);
-  for (const Json& number : steps[7]["expected"])
-    EXPECT_FALSE(data["segments"][number.get<std::size_t>()]["owner"].is_null());
-}
-
 TEST(Page, ListsTheDifferencesOfTheEnd) {
   const test::PageCase made = test::uncutWall();
   const Json data = dataOf(made);
@@ -132,31 +105,12 @@ TEST(Page, KeepsTextsFromBecomingMarkup) {
   EXPECT_EQ(data["title"], made.trace.calls[0].name() + " <!-- \x01\xef\xbf\xbd ü");  // no UTF-8: a replacement
 }
 
-TEST(Page, CommitsWhatIsPendingAtTheEnd) {
-  const Json steps = dataOf(test::markup())["steps"];
-  ASSERT_EQ(steps.size(), 3u);
-  EXPECT_EQ(steps[2]["edit"], "commit");
-  EXPECT_THAT(steps[2]["note"].get<std::string>(), HasSubstr("end of the trace"));
-  EXPECT_EQ(steps[2]["expected"].size(), 3u);
-  EXPECT_FALSE(steps[2].contains("wrong"));
-}
-
 TEST(Page, HasExactCoordinatesAtTheEndsOfTheWorld) {
   const Json data = dataOf(test::endsOfTheWorld());
   const std::int64_t far = std::int64_t{kMaxCell} * kUnitsPerCell;
   EXPECT_EQ(data["points"][0]["x"].get<std::int64_t>(), -far);
   EXPECT_EQ(data["points"][4]["x"].get<std::int64_t>(), far + 1);
   EXPECT_EQ(data["points"][4]["text"], "(1073741824+1/65536, 1073741824)");
-}
-
-TEST(Page, EndsAtAnEditThatIsToBlame) {
-  const Json data = dataOf(test::wrongRefusal());
-  const Json& end = data["steps"].back();
-  EXPECT_THAT(end["edit"].get<std::string>(), StartsWith("add c "));
-  EXPECT_TRUE(end["wrong"].get<bool>());
-  EXPECT_FALSE(end.contains("expected"));
-  EXPECT_EQ(end["marked"].size(), 1u);
-  EXPECT_EQ(data["preserve"], Json::parse("[[1, 2]]"));
 }
 
 TEST(Page, ShowsAnExcerptOfALongTrace) {
@@ -186,11 +140,6 @@ TEST(Page, CompletesAnOutlineThatIsAPart) {
   EXPECT_EQ(steps.back()["expected"].size(), whole);
   EXPECT_EQ(steps.back()["actual"].size(), whole - 1);
   EXPECT_EQ(steps.back()["differences"].size(), 6u);
-}
-
-TEST(Page, IsTheSameEveryTime) {
-  const test::PageCase made = test::uncutWall();
-  EXPECT_EQ(writePage(made.trace, made.options), writePage(made.trace, made.options));
 }
 
 // What the checker would find at the end of a page's trace.
