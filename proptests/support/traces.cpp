@@ -48,9 +48,7 @@ class Simpler {
   MayBe mayBe_;
 };
 
-Trace randomTrace(int size, Random random, bool isOfCalls) {
-  oracle::GeneratorOptions options;
-  options.isOfCalls = isOfCalls;
+Trace randomTrace(int size, Random random, oracle::GeneratorOptions options) {
   // A commit goes another way where a row has many dirty cells: so every third case is a wide and low one.
   const bool isWide = random.below(3) == 0;
   options.width = isWide ? 8 + random.below(12) : 1 + random.below(5);
@@ -60,12 +58,14 @@ Trace randomTrace(int size, Random random, bool isOfCalls) {
   return oracle::randomCase(options, random.next());
 }
 
-Trace anyTrace(int size, Random random) { return randomTrace(size, random, false); }
-Trace traceOfCalls(int size, Random random) { return randomTrace(size, random, true); }
-Trace goodTrace(int size, Random random) { return withoutRefused(anyTrace(size, random)); }
+Trace anyTrace(int size, Random random) { return randomTrace(size, random, {.isOfCalls = true}); }
+Trace traceInMemory(int size, Random random) {
+  return randomTrace(size, random, {.isOfCalls = true, .isFollowed = true});
+}
+Trace goodTrace(int size, Random random) { return withoutRefused(randomTrace(size, random, {})); }
 
 Trace plainTrace(int size, Random random) {
-  Trace trace = anyTrace(size, random);
+  Trace trace = randomTrace(size, random, {});
   trace.preserve = {};
   return withoutRefused(trace);
 }
@@ -119,7 +119,7 @@ void showValue(const Chance& chance, std::ostream& out) {
 }
 
 rc::Gen<AnyTrace> AnyTrace::arbitrary() { return ofKind<AnyTrace>(traces(anyTrace, {})); }
-rc::Gen<TraceOfCalls> TraceOfCalls::arbitrary() { return ofKind<TraceOfCalls>(traces(traceOfCalls, {})); }
+rc::Gen<TraceInMemory> TraceInMemory::arbitrary() { return ofKind<TraceInMemory>(traces(traceInMemory, {})); }
 rc::Gen<GoodTrace> GoodTrace::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
 rc::Gen<PlainTrace> PlainTrace::arbitrary() {
   return ofKind<PlainTrace>(traces(plainTrace, [](const oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));
