@@ -207,8 +207,7 @@ void addCheck(CLI::App& app, Action& chosen) {
     arguments->engine.prepare();
     if (arguments->options.views && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");
-    arguments->world.isFollowed =
-        arguments->options.views;  // which do not know what is not in memory, nor what was before them
+    arguments->world.isFollowed = arguments->options.views;  // which know all chunks
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");

@@ -77,9 +77,10 @@ struct Call {
     reload,       ///< reload() what was unloaded in a rectangle
     reloadEmpty,  ///< reloadEmpty()
     brush,        ///< paint() or carve()
-    repeat        ///< calls that are made some hundred times
+    repeat,       ///< calls that are made some hundred times
+    follow        ///< followCells(), or no longer
   };
-  static constexpr std::size_t kKinds = 25;
+  static constexpr std::size_t kKinds = 26;
 
   Kind kind = Kind::commit;
   std::vector<Coming> comes = {};  ///< one, but for addMany() and exchange(); none where nothing is placed
@@ -93,7 +94,7 @@ struct Call {
   Keeps keeps{};                 ///< the group; ifAll: unless a part is refused, and then that is the last one.
                                  ///< Of goBack: whether what is undone is kept
   std::uint32_t nth = 0;         ///< of the marks, modulo how many there are; of an executor; in which order chunks
-                                 ///< come back; how often something is repeated
+                                 ///< come back; how often something is repeated; whether to follow, if it is odd
   BrushEdit brush = {};
   std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
 
@@ -147,7 +148,7 @@ constexpr bool isEdit(Call::Kind kind) { return kind < Call::Kind::group || kind
 /// Calls that go back or forward, or stand for others: they are no edits.
 constexpr bool movesInTime(Call::Kind kind) {
   using enum Call::Kind;
-  return (group <= kind && kind <= goForward && kind != leave) || kind == repeat;
+  return (group <= kind && kind <= goForward && kind != leave) || kind == repeat || kind == follow;
 }
 
 /// Add, remove and commit in their plain form: all that an engine of others knows.

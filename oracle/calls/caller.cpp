@@ -157,6 +157,9 @@ Outcome Caller::makeResolved(const Call& call) {
     case Call::Kind::load:
       load(out);
       return out;
+    case Call::Kind::follow:
+      isDone(world.followCells(call.nth % 2 != 0), out);
+      return out;
     case Call::Kind::unload:
       unload(call, out);
       break;

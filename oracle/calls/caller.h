@@ -69,13 +69,14 @@ class Caller {
   World world;
   std::vector<PolygonHandle> given;  ///< handles of all that was placed, in the order in which that was done
   bool hasMarks() const { return timeline_.hasMarks(); }
-  bool hasAhead() const { return timeline_.hasAhead(); }
 
- private:
   struct Remembered {
     Mark mark;
     std::vector<PolygonHandle> given;
   };
+  const Timeline<Remembered>& timeline() const { return timeline_; }
+
+ private:
   using Bytes = std::vector<std::byte>;
 
   void place(const Call& call, Outcome& out);

@@ -16,7 +16,8 @@ struct Habits {
   /// Of the cells, rectangles, blocks, names and polygons: the ends of their numbers, and what means something inside.
   int hostilePercent = 0;
   /// Of the kinds, in their order: marks and loads are for those who ask for them.
-  std::array<int, Call::kKinds> weights{3, 14, 16, 4, 16, 3, 6, 7, 5, 4, 3, 2, 14, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0};
+  std::array<int, Call::kKinds> weights{3, 14, 16, 4, 16, 3, 6, 7, 5, 4, 3, 2, 14,
+                                        0, 0,  0,  0, 1,  0, 0, 0, 0, 0, 0, 0, 0};
 };
 
 Habits withMarks(Habits habits);

@@ -32,7 +32,7 @@ Call tidied(Call call) {
   if (!isOneOf(addShape, addMany, replace, exchange)) call.room = 0;
   if (!isOneOf(fill, clear, exchange, leave, unload, reload, reloadEmpty)) call.cells = {};
   if (call.kind == exchange) call.cells.max = call.cells.min;
-  if (!isOneOf(commit, goBack, goForward, forget, reload, repeat)) call.nth = 0;
+  if (!isOneOf(commit, goBack, goForward, forget, reload, repeat, follow)) call.nth = 0;
   if (!isOneOf(group, goBack)) call.keeps = {};
   for (Coming& c : call.comes) {
     if (isOneOf(shape, exchange, setBlock, fill)) c.cell = {};
@@ -90,7 +90,7 @@ std::vector<Call> simpler(const Call& call) {
     for (const LocalPolygon& p : coming.shape)
       if (coming.shape.size() > 1) with([&](Call& c) { c.comes[k].shape = {p}; });
   }
-  if (call.nth != 0 && call.kind != Kind::repeat) with([](Call& c) { c.nth = 0; });
+  if (call.nth != 0 && call.kind != Kind::repeat && call.kind != Kind::follow) with([](Call& c) { c.nth = 0; });
   for (std::size_t k = 0; k < call.goes.size(); ++k)
     if (call.goes[k].nth != 0) with([&](Call& c) { c.goes[k].nth = 0; });
   if (call.cells.min != call.cells.max) with([&](Call& c) { c.cells.max = c.cells.min; });

@@ -26,6 +26,9 @@ class Timeline {
   std::size_t marks() const { return marks_.size(); }
   Redo redo() const { return redo_; }
 
+  const std::vector<T>& behind() const { return marks_; }  ///< the oldest first
+  const std::vector<T>& ahead() const { return ahead_; }   ///< the last one first
+
   /// The mark of this number, modulo how many there are.
   const T& at(std::uint32_t nth) const { return marks_[nth % marks_.size()]; }
   const T& ahead(std::uint32_t nth) const { return ahead_[nth % ahead_.size()]; }

@@ -1,15 +1,7 @@
 // Plays a trace into an engine, and compares it with the references after every commit.
 //
-// What is checked of any engine:
-//  - each edit: the engine accepts and refuses what the naive rules do;
-//  - each commit: the outline equals the naive reference's; if the preserve relation is a partition, it equals that of
-//    CGAL's union;
-//  - each edit by a brush: what it made could be added by hand; it differs from the exact result by a unit at most
-//    (law 8), as CGAL measures it; what it does not reach stays, or is told as bent (law 9);
-//  - the end: a new world with the same polygons, added in another order and committed at once, has the same outline.
-//
-// This library's engine shows more, so more is checked of it: all calls, reasons, change lists, reads, the past
-// (library_engine.h), and the loops.
+// Each call is held against the model (model.h): the engine accepts and refuses what the rules do, and gives what they
+// say. What is looked at besides is up to the laws (law.h); laws/list.h has all of them.
 #pragma once
 
 #include "oracle/engine/engine.h"
@@ -67,6 +59,7 @@ struct Mismatch {
     rounding,  ///< a brush is farther from its exact result than law 8 allows
     history,   ///< the outline depends on how it came about
     past,      ///< what was undone, saved or copied has left a trace (law 12)
+    memory,    ///< what went has left something
     views,     ///< a view of loops, islands or pieces is not that of the world
     terrain,   ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
     crash,     ///< the engine ended

@@ -19,6 +19,7 @@ std::string describe(Mismatch::Kind kind) {
                               "a brush is too far from the exact result",
                               "the outline depends on the order of the edits",
                               "what was undone has left a trace",
+                              "what went has left something",
                               "a view is not that of the world",
                               "the terrain is not that of the world",
                               "there is no answer",

@@ -298,9 +298,9 @@ void Editor::travel(Cell cell) {
     case 3:
       return time(forget, nth);
     case 4:
-      return time(copy);
+      return random_.chance(30) ? time(follow, random_.below(2U)) : time(copy);
     case 5:
-      return habits_.loads ? time(load) : time(copy);
+      return time(load);
     case 6:
     case 7: {  // a group
       Call call = Call::of(group);

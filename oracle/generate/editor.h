@@ -33,7 +33,6 @@ struct EditHabits {
   int any = 0;        ///< any call of the alphabet (oracle/calls/draw.h), good or bad
   int stroke = 0;     ///< of a brush
   int travel = 0;     ///< marks, back and forward; groups; copies, saves
-  bool loads = true;  ///< among these
   int memory = 0;     ///< chunks leave memory, and come back; places are forgotten; cells are worn
 
   int commitPercent = 100;  ///< chance of a commit after an operation

@@ -124,7 +124,6 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.any = random.chance(40) ? 2 + random.below(8) : 0;
     habits.hostilePercent = habits.any > 0 && random.chance(40) ? 10 : 0;
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
-    habits.loads = !options.isFollowed;
     habits.memory = random.chance(35) && !options.isFollowed ? 1 + random.below(5) : 0;
     habits.stroke = options.brushes ? 4 : 0;
   }
@@ -137,6 +136,11 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   start.preserve = randomPreserve(random, habits.blocks);
   start.mayRefuse = options.isOfCalls;
   if (!options.can.preserve) start.preserve = {};
+  if (options.isOfCalls && random.chance(30)) {
+    Call follow = Call::of(Call::Kind::follow);
+    follow.nth = 1;
+    start.calls.push_back(std::move(follow));
+  }
   return Editor(std::move(start), std::move(habits), Random(random.next()));
 }
 

@@ -14,11 +14,11 @@ namespace {
 using Kind = Call::Kind;
 using Words = std::span<const std::string_view>;
 
-// In the order of the kinds; the last but one is of carve, too.
+// In the order of the kinds; that of paint is of carve, too.
 constexpr std::array<const char*, Call::kKinds> kWords{
     "shape", "add",     "place",  "many",   "remove",      "removeMany", "replace", "exchange", "setBlock",
     "fill",  "clear",   "group",  "commit", "mark",        "back",       "forget",  "leave",    "copy",
-    "load",  "forward", "unload", "reload", "reloadEmpty", "paint",      "repeat"};
+    "load",  "forward", "unload", "reload", "reloadEmpty", "paint",      "repeat",  "follow"};
 constexpr std::array<const char*, 4> kNotations{"lattice", "list", "floats", "doubles"};
 constexpr std::array<const char*, 3> kKeeps{"drop", "keep", "all"};
 
@@ -31,7 +31,8 @@ bool takesRect(Kind kind) {
 }
 bool takesNumber(Kind kind) {
   using enum Call::Kind;
-  return kind == commit || kind == goBack || kind == goForward || kind == forget || kind == reload || kind == repeat;
+  return kind == commit || kind == goBack || kind == goForward || kind == forget || kind == reload || kind == repeat ||
+         kind == follow;
 }
 
 // --- Printing

@@ -279,6 +279,9 @@ Verdict Model::judgeParts(const Call& call) const {
     case Kind::goForward:
       if (!hasAhead() || timeline_.redo() == Redo::sure) return {};
       return {.accepted = false, .code = ErrorCode::unknownMark, .isOpen = timeline_.redo() == Redo::maybe};
+    case Kind::follow:  // if edits are pending
+      return hasMarks() ? Verdict{false, ErrorCode::uncommitted}
+                        : Verdict{.code = ErrorCode::uncommitted, .isOpen = true};
     case Kind::load: {
       const auto away = firstAway({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
       return away ? Verdict{false, ErrorCode::unloaded, *away} : Verdict{};
@@ -349,17 +352,31 @@ void Model::reload(Cell chunk, const World* world) {
   }
 }
 
-void Model::leave(const CellRect& cells, const World* world) {
+// A loaded one has a chunk of its own, however empty that is.
+bool Model::isBesideLoaded(Cell chunk, const std::set<Cell>& gone) const {
+  return std::ranges::any_of(cellsOf({{chunk.i - 1, chunk.j - 1}, {chunk.i + 1, chunk.j + 1}}), [&](Cell beside) {
+    return now_.chunks.contains(beside) && !now_.away.contains(beside) && !gone.contains(beside);
+  });
+}
+
+// The chunks that forget() takes: those loaded that hold nothing; then those not in memory of whose rim nobody needs
+// anything. If one that needed it has just gone, its rim is still there until the next commit, if it holds anything.
+std::vector<Cell> Model::leaving(const CellRect& cells) const {
+  if (isEmpty(cells)) return {};
   std::set<Cell> filled;
   for (const auto& entry : now_.standing.cells()) filled.insert(chunkOf(entry.first));
-  for (const Cell chunk : chunksWithin(cells, true))
-    if (!filled.contains(chunk)) now_.chunks.erase(chunk);
-  for (const Cell chunk : chunksWithin(cells, false)) {
-    const Cell corner = cellsOfChunk(chunk).min;
-    if (world == nullptr || world->firstUnloaded({corner, corner})) continue;
-    now_.away.erase(chunk);
-    now_.chunks.erase(chunk);
-  }
+  std::vector<Cell> gone = chunksWithin(cells, true);
+  std::erase_if(gone, [&](Cell chunk) { return filled.contains(chunk); });
+  const std::set<Cell> loaded(gone.begin(), gone.end());
+  const auto holdsNothing = [&](Cell chunk) {
+    return std::ranges::none_of(now_.away.at(chunk), [&](const auto& entry) {
+      const std::int32_t i = entry.first.i & 31, j = entry.first.j & 31;
+      return !entry.second.empty() && (i == 0 || i == 31 || j == 0 || j == 31);
+    });
+  };
+  for (const Cell chunk : chunksWithin(cells, false))
+    if (!isBesideLoaded(chunk, loaded) && (now_.alone.contains(chunk) || holdsNothing(chunk))) gone.push_back(chunk);
+  return gone;
 }
 
 void Model::apply(const Call& call, const Outcome* outcome, const World* world) {
@@ -382,14 +399,23 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
       for (const Cell cell : cellsOf(call.cells)) next(cell, call.comes[0]);
       return;
     case Kind::shape:
-    case Kind::commit:
     case Kind::copy:
     case Kind::brush:
     case Kind::group:
     case Kind::repeat:
+    case Kind::follow:
+      return;
+    case Kind::commit:
+      now_.alone.clear();
+      for (const auto& entry : now_.away)
+        if (!isBesideLoaded(entry.first)) now_.alone.insert(entry.first);
       return;
     case Kind::leave:
-      return leave(call.cells, world);
+      for (const Cell chunk : leaving(call.cells)) {
+        now_.chunks.erase(chunk);
+        now_.away.erase(chunk);
+      }
+      return;
     case Kind::unload:
       return unload(call.cells);
     case Kind::reload:
@@ -453,7 +479,7 @@ std::string Model::wrongAnswer(const Call& call, const Verdict& verdict, const O
     if (outcome.refusal && !verdict.isOpen) return "refused, but is good: " + message(*outcome.refusal);
     if (!outcome.refusal) {
       std::string wrong = wrongHandles(call, outcome);
-      return wrong.empty() ? wrongChunks(call, outcome, world) : wrong;
+      return wrong.empty() ? wrongChunks(call, outcome) : wrong;
     }
   }
   if (!outcome.refusal)
@@ -501,7 +527,7 @@ std::string Model::wrongHandles(const Call& call, const Outcome& outcome) const 
 }
 
 // Which chunks went, or came.
-std::string Model::wrongChunks(const Call& call, const Outcome& outcome, const World& world) const {
+std::string Model::wrongChunks(const Call& call, const Outcome& outcome) const {
   const auto counts = [&](std::size_t expected) {
     return outcome.count == expected ? "" : fmt::format("counts {} chunks instead of {}", outcome.count, expected);
   };
@@ -517,19 +543,7 @@ std::string Model::wrongChunks(const Call& call, const Outcome& outcome, const W
     return expected == std::set(outcome.chunks.begin(), outcome.chunks.end()) ? "" : "other chunks come back";
   }
   if (call.kind == Kind::reloadEmpty) return counts(isEmpty(call.cells) ? 0 : chunksWithin(call.cells, false).size());
-  if (call.kind != Kind::leave || isEmpty(call.cells)) return "";
-  std::set<Cell> filled;
-  for (const auto& entry : standing().cells()) filled.insert(chunkOf(entry.first));
-  std::size_t count = 0;
-  for (const Cell chunk : chunksWithin(call.cells, true)) count += filled.contains(chunk) ? 0 : 1;
-  for (const Cell chunk : chunksWithin(call.cells, false)) {
-    const Cell corner = cellsOfChunk(chunk).min;
-    if (world.firstUnloaded({corner, corner})) continue;
-    ++count;
-    for (const Cell beside : cellsOf({{chunk.i - 1, chunk.j - 1}, {chunk.i + 1, chunk.j + 1}}))
-      if (filled.contains(beside)) return "forgets a chunk that is beside one in memory";
-  }
-  return counts(count);
+  return call.kind == Kind::leave ? counts(leaving(call.cells).size()) : "";
 }
 
 Scene Model::scene(PreservePairs preserve) const {

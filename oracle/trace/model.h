@@ -45,7 +45,7 @@ class Model {
   Verdict judgeResolved(const Call& call) const;
 
   /// Makes a call that was accepted; not a brush. What it places gets the handles of the outcome. `world` is as after
-  /// the call: only of it is known which chunks it has forgotten, and as what others came back.
+  /// the call: only of it is known as what chunks that were forgotten came back.
   void apply(const Call& call, const Outcome* outcome = nullptr, const World* world = nullptr);
 
   /// Makes any call but of a brush, if it must be accepted. Whether it must.
@@ -86,6 +86,7 @@ class Model {
     Standing standing;
     std::map<Cell, Content> away;  ///< chunks that are not in memory
     std::set<Cell> chunks;         ///< all of them
+    std::set<Cell> alone;          ///< of those not in memory: no loaded one was around it at the last commit
     std::vector<Given> given;      ///< all that was ever placed
   };
 
@@ -104,12 +105,13 @@ class Model {
   std::optional<Cell> firstAway(const CellRect& cells) const;
   std::vector<Cell> chunksWithin(const CellRect& cells, bool areLoaded) const;
   std::string wrongHandles(const Call& call, const Outcome& outcome) const;
-  std::string wrongChunks(const Call& call, const Outcome& outcome, const World& world) const;
+  std::string wrongChunks(const Call& call, const Outcome& outcome) const;
   void place(Cell cell, const Coming& coming, std::span<const PolygonHandle> handles);
   void clear(const CellRect& cells);
   void unload(const CellRect& cells);
   void reload(Cell corner, const World* world);
-  void leave(const CellRect& cells, const World* world);
+  bool isBesideLoaded(Cell chunk, const std::set<Cell>& gone = {}) const;
+  std::vector<Cell> leaving(const CellRect& cells) const;
   std::vector<Cell> comingBack(const CellRect& cells) const;
 
   State now_;

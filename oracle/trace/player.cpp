@@ -77,6 +77,20 @@ void Player::keepMoment(const Call& call) {
   hasGoneBack_ = hasGoneBack_ || call.kind == Kind::goBack;
 }
 
+// Of a call that is accepted, before the model makes it.
+void Player::noteEdited(const Call& call) {
+  const bool isAnywhere = call.kind == Kind::fill || call.kind == Kind::exchange || call.kind == Kind::setBlock;
+  for (const Coming& coming : call.comes)
+    if (!isAnywhere && call.kind != Kind::shape) edited_.insert(coming.cell);
+  for (const Named& named : call.goes) edited_.insert(standing().cellOf(named.name));
+  if ((call.kind == Kind::fill && !isEmpty(call.cells)) || call.kind == Kind::exchange)
+    for (std::int32_t j = call.cells.min.j; j <= call.cells.max.j; ++j)
+      for (std::int32_t i = call.cells.min.i; i <= call.cells.max.i; ++i) edited_.insert({i, j});
+  if (call.kind == Kind::clear)
+    for (const auto& entry : standing().cells())
+      if (contains(call.cells, entry.first)) edited_.insert(entry.first);
+}
+
 Player::Done Player::makeCall(const Judged& judged) {
   const auto& [call, verdict] = judged;
   auto told = std::make_shared<Told>();
@@ -95,6 +109,7 @@ Player::Done Player::makeCall(const Judged& judged) {
   }
   if (call.kind == Kind::reload && hasGoneBack_ && outcome.chunks.size() > 0) isOfOnePast_ = false;
   if (isDone) {
+    if (isEdit(call.kind)) noteEdited(call);
     model_.apply(call, &outcome, &world());
     for (const Coming& coming : call.comes)
       for (const std::string& name : coming.names) lost_.erase(name);
@@ -219,6 +234,7 @@ Player::Done Player::readBack(const Call& call, const BrushResult& result) {
     }
   }
   for (const auto& entry : brushed_.went) {
+    edited_.insert(entry.second.cell);
     lost_[entry.first] = call.line;
     brushed_.edits.push_back(Call::remove(entry.first));
     model_.remove(entry.first);
@@ -227,6 +243,7 @@ Player::Done Player::readBack(const Call& call, const BrushResult& result) {
     if (made.erase(handle) == 0) return wrong("the brush does not tell of a polygon that it made");
     const Call& part = brushed_.edits.emplace_back(Call::add(model_.freshName(), std::move(polygon)));
     if (!model_.judge(part).accepted) return wrong("a brush makes what must be refused: " + printCall(part));
+    edited_.insert(part.comes[0].cell);
     model_.add(part.name(), part.polygon(), handle);
   }
   return made.empty() ? Done() : wrong("the brush tells of a polygon that it did not make");

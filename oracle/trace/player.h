@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 
 namespace lgs::oracle {
 
@@ -62,6 +63,8 @@ class Player {
   bool pending() const { return now_.pending; }  ///< edits since the last commit
   bool isAlive(const std::string& name) const { return standing().isAlive(name); }
   PolygonHandle handleOf(const std::string& name) const { return standing().handleOf(name); }  ///< of a name alive
+  const auto& timeline() const { return caller_.timeline(); }
+  std::set<Cell> takeEdited() { return std::exchange(edited_, {}); }  ///< that were edited since it was asked last
   const Brushed& brushed() const { return brushed_; }        ///< by the last call; empty if that was none of a brush
   std::size_t shapes() const { return now_.shapes.size(); }  ///< the number of different ones that the world has made
 
@@ -80,6 +83,7 @@ class Player {
   Done readBack(const Call& call, const BrushResult& result);
   Done checkShapes(const Call& call, const Outcome& outcome);
   void keepMoment(const Call& call);
+  void noteEdited(const Call& call);
   std::string badName(const Call& call) const;
   tl::unexpected<TraceError> refused(const Error& error) const;
 
@@ -95,6 +99,7 @@ class Player {
   Moment now_;
   Timeline<Moment> moments_;
   Brushed brushed_;
+  std::set<Cell> edited_;
   std::map<std::string, std::size_t> lost_;  // names that brushes have taken away, and the lines of these
   bool hasLeft_ = false;
   bool hasGoneBack_ = false;

@@ -21,7 +21,7 @@
 //   many <i> <j> <block> <shape> [; …]                         shape <shape>
 //   exchange <i> <j> <which> … [with <block> <polygon> [; …]]  commit [<executor>]
 //   group <keep|drop|all> … end                                repeat <times> … end
-//   mark    back <mark> [keep]    forward <mark>    forget <mark>    copy    load
+//   mark    back <mark> [keep]    forward <mark>    forget <mark>    copy    load    follow <0|1>
 //   unload <rectangle>    reload <rectangle> [<order>]    reloadEmpty <rectangle>    leave <rectangle>
 //
 // A rectangle is i j of its first and i j of its last cell. A shape is one or several polygons, | between them; or

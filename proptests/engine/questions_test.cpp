@@ -15,7 +15,7 @@
 namespace lgs::test {
 namespace {
 
-LGS_LAW(Questions, AreAnsweredAsTheSlowWayDoes, 200, (const TraceOfCalls& trace)) {
+LGS_LAW(Questions, AreAnsweredAsTheSlowWayDoes, 200, (const AnyTrace& trace)) {
   expectNoMismatch(trace, {.naive = false, .cgal = false, .skipRefused = true, .questions = 20});
 }
 

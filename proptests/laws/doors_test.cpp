@@ -17,10 +17,6 @@ using oracle::areAlike;
 using oracle::Outcome;
 using Kind = Call::Kind;
 
-// The checker holds each call against the model, the outline after each commit against the references, and at the end
-// the world against one in which nothing was refused or undone (laws 7 and 12).
-LGS_LAW(Doors, LeadToTheWorldOfTheModel, 1'000, (const TraceOfCalls& trace)) { expectNoMismatch(trace); }
-
 /// What the parts gave, as the whole call would.
 Outcome together(const Call& call, const Outcome& group) {
   Outcome whole;

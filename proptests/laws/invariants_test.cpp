@@ -14,15 +14,6 @@ namespace {
 
 using oracle::Random;
 
-LGS_LAW(Invariants, HoldInRandomCases, 1'500, (const PlainTrace& trace)) {
-  const oracle::Trace near = movedTo(trace, {-2, -2});  // about the origin, where areas do not overflow
-  oracle::Player player({});
-  playAll(near, player, [&](oracle::Player& p, const Changes&) {
-    failIf(brokenInvariant(p.world(), boundsOf(near)));
-    return true;
-  });
-}
-
 TEST(Invariants, HoldInABigWorldUnderRandomEdits) {
   const auto side = static_cast<std::int32_t>(std::min(600.0, 600 * std::sqrt(testScale())));
   RecordProperty("cells_a_side", side);

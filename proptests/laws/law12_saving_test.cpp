@@ -12,17 +12,6 @@
 namespace lgs::test {
 namespace {
 
-LGS_LAW(GoingBack, LoadingIsNeverHavingLeft, 1'000, (const Calls& before, const Calls& after, const Setting& setting)) {
-  Caller stayed = grown(setting, before), left = stayed;
-  stayed.world.commit();
-  const std::vector<std::byte> bytes = saved(stayed.world);
-  auto loaded = must(World::load(bytes, oracle::relationOf(setting.preserve)));
-  EXPECT_TRUE(saved(loaded) == bytes) << "saved again, a loaded world gives other bytes";
-  EXPECT_EQ(snapshotOf(loaded, {}), snapshotOf(stayed.world, {}));
-  left.world = std::move(loaded);
-  expectNoDifference(stayed, left, after);
-}
-
 // Of a snapshot, in bytes: letters and version; checksum.
 constexpr std::size_t kHead = 8, kTail = 4;
 

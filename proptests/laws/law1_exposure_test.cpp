@@ -1,11 +1,7 @@
 // Law 1, exposure: cut every polygon edge at every vertex that lies on it; a cut edge u→v is an output segment, unless
 // another polygon has v→u and their overlap is not preserved.
-#include "oracle/reference/naive.h"
 #include "outline/boundary.h"
 #include "proptests/support/exhaust.h"
-#include "proptests/support/law.h"
-#include "proptests/support/played.h"
-#include "proptests/support/traces.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -15,46 +11,6 @@
 
 namespace lgs::test {
 namespace {
-
-// --- The engine's output ---------------------------------------------------------------------------------------------
-
-/// A segment without its links, and its owner as a value.
-using Exposed = std::tuple<Point, Point, Block, Cell, LocalPolygon>;
-
-std::vector<Exposed> exposedByEngine(const World& world) {
-  std::vector<Exposed> out;
-  for (const SegmentId id : world.segments()) {
-    const Segment s = *world.segment(id);
-    const auto owner = world.polygon(s.polygon);
-    if (!owner) failIf("a segment of a polygon that is not there");
-    out.emplace_back(s.start, s.end, s.block, s.cell, LocalPolygon(owner->vertices.begin(), owner->vertices.end()));
-  }
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-/// The law word for word, by the naive reference.
-std::vector<Exposed> exposedByLaw(const oracle::Scene& scene) {
-  oracle::NaiveReference naive;
-  const oracle::OwnedOutline& owned = naive(scene);
-  std::vector<Exposed> out;
-  for (std::size_t k = 0; k < owned.outline.size(); ++k) {
-    const oracle::OutlineSegment& s = owned.outline[k];
-    const oracle::ScenePolygon& owner = scene.polygons[owned.owner[k]];
-    out.emplace_back(s.start, s.end, owner.block, owner.cell, owner.vertices);
-  }
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-LGS_LAW(Exposure, IsOfTheCutEdgesThatNoOtherPolygonHas, 2'000, (const GoodTrace& trace)) {
-  oracle::Player player(trace.preserve);
-  playAll(trace, player, [](oracle::Player& p, const Changes&) {
-    failUnless(exposedByEngine(p.world()) == exposedByLaw(p.scene()),
-               "other segments, blocks or owners than law 1 says");
-    return true;
-  });
-}
 
 // --- The pure function for a side between two cells: all pairs of profiles of a side of four units, with up to two
 // polygons on each and all vertices that there can be besides, under all 16 relations between those polygons.

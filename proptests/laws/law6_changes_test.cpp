@@ -1,9 +1,6 @@
 // Law 6, exact changes: a commit lists the ids removed, added and relinked. Applied to a copy of the old output the
 // lists give the new one; a segment that kept its ends, owner and ghosts is in none of them and keeps its id.
 #include "oracle/trace/mirror.h"
-#include "proptests/support/law.h"
-#include "proptests/support/played.h"
-#include "proptests/support/traces.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -14,15 +11,6 @@ namespace lgs::test {
 namespace {
 
 using oracle::Random;
-
-LGS_LAW(Changes, ToACopyGiveTheNewOutput, 2'000, (const GoodTrace& trace)) {
-  oracle::Player player(trace.preserve);
-  oracle::Mirror copy;
-  playAll(trace, player, [&](oracle::Player& p, const Changes& changes) {
-    failIf(copy.update(p.world(), changes));
-    return true;
-  });
-}
 
 // The random cases' commits are small; here each adds, removes and relinks thousands of segments.
 TEST(Invariants, ChangesOfBigCommitsAreExact) {

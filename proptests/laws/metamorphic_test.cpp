@@ -1,5 +1,5 @@
-// The world changed as a whole, in ways after which the outline is known from the outline before: shifted by whole
-// cells, turned, mirrored, with other block numbers, with a polygon split in two, with cells and polygons united.
+// The world changed as a whole, in ways after which the outline is known from the outline before: with a polygon
+// split in two, with cells and polygons united. Moved, turned and mirrored worlds: oracle/check/laws/twins.cpp.
 #include "oracle/generate/generator.h"
 #include "oracle/trace/model.h"
 #include "proptests/support/law.h"
@@ -40,73 +40,6 @@ Trace mapPolygons(Trace trace, Map&& map) {
     edit = Call::add(edit.name(), std::move(polygon));
   }
   return trace;
-}
-
-LGS_LAW(Metamorphic, ShiftedByWholeCells, 2'000, (const GoodTrace& trace, Chance chance)) {
-  const CellRect bounds = boundsOf(trace);
-  if (isEmpty(bounds)) return;
-  const auto target = [&](std::int32_t size) {
-    const std::vector<std::int32_t> starts{
-        0,         -size,           32 - chance.below(size + 1), -64 - chance.below(size + 1),
-        -kMaxCell, kMaxCell - size, chance.below(1 << 20)};
-    return chance.pick(starts);
-  };
-  const std::int32_t i = target(bounds.max.i - bounds.min.i);
-  const std::int32_t j = target(bounds.max.j - bounds.min.j);
-  const std::int64_t dx = (std::int64_t{i} - bounds.min.i) * U, dy = (std::int64_t{j} - bounds.min.j) * U;
-  const auto shifted = [=](Point p) { return Point{p.x + dx, p.y + dy}; };
-  expectSame(mapPoints(outlineAfter(trace), shifted), outlineAfter(movedTo(trace, {i, j})));
-}
-
-/// About the origin and the corners of the chunks there, so that a turn or a mirror leads across them.
-Trace nearTheOrigin(const Trace& trace, Chance& chance) {
-  const std::int32_t i = chance.below(40) - 36;
-  return movedTo(trace, {i, chance.below(40) - 36});
-}
-
-LGS_LAW(Metamorphic, TurnedByAQuarter, 2'000, (const GoodTrace& anywhere, Chance chance)) {
-  const Trace trace = nearTheOrigin(anywhere, chance);
-  const Trace turned = mapPolygons(trace, [](oracle::ScenePolygon& p) {
-    p.cell = {-p.cell.j - 1, p.cell.i};
-    for (LocalPoint& v : p.vertices) v = {U - v.y, v.x};
-  });
-  const auto turn = [](Point p) { return Point{-p.y, p.x}; };
-  expectSame(mapPoints(outlineAfter(trace), turn), outlineAfter(turned));
-}
-
-LGS_LAW(Metamorphic, Mirrored, 2'000, (const GoodTrace& anywhere, Chance chance)) {
-  const Trace trace = nearTheOrigin(anywhere, chance);
-  const Trace mirrored = mapPolygons(trace, [](oracle::ScenePolygon& p) {
-    p.cell.i = -p.cell.i - 1;
-    for (LocalPoint& v : p.vertices) v.x = U - v.x;
-    std::reverse(p.vertices.begin(), p.vertices.end());
-  });
-  Outline expected = mapPoints(outlineAfter(trace), [](Point p) { return Point{-p.x, p.y}; });
-  for (OutlineSegment& s : expected) {
-    std::swap(s.start, s.end);
-    std::swap(s.ghost1, s.ghost2);
-  }
-  expectSame(expected, outlineAfter(mirrored));
-}
-
-LGS_LAW(Metamorphic, BlocksRenamed, 2'000, (const GoodTrace& trace, Chance chance)) {
-  const Block factor = 2 * chance.below(1U << 31) + 1;  // odd: no two blocks become one
-  const Block offset = chance.below(0xffff'ffffU);
-  const auto rename = [=](Block b) { return b * factor + offset; };
-  Trace renamed = mapPolygons(trace, [&](oracle::ScenePolygon& p) { p.block = rename(p.block); });
-  renamed.preserve = {};
-  for (const auto& [a, b] : trace.preserve.pairs()) renamed.preserve.add(rename(a), rename(b));
-  Outline expected = outlineAfter(trace);
-  for (OutlineSegment& s : expected) s.block = rename(s.block);
-  expectSame(expected, outlineAfter(renamed));
-}
-
-LGS_LAW(Metamorphic, VerticesStartElsewhere, 1'000, (const GoodTrace& trace, Chance chance)) {
-  const Trace rotated = mapPolygons(trace, [&](oracle::ScenePolygon& p) {
-    const auto by = static_cast<std::ptrdiff_t>(chance.below(p.vertices.size()));
-    std::rotate(p.vertices.begin(), p.vertices.begin() + by, p.vertices.end());
-  });
-  expectSame(outlineAfter(trace), outlineAfter(rotated));
 }
 
 /// Two polygons that a chord between two vertices makes of one, if there is such a chord; a random one.

@@ -58,15 +58,14 @@ Trace randomTrace(int size, Random random, oracle::GeneratorOptions options) {
   return oracle::randomCase(options, random.next());
 }
 
-Trace anyTrace(int size, Random random) { return randomTrace(size, random, {}); }
-Trace traceOfCalls(int size, Random random) { return randomTrace(size, random, {.isOfCalls = true}); }
-Trace followedTrace(int size, Random random) {
+Trace anyTrace(int size, Random random) { return randomTrace(size, random, {.isOfCalls = true}); }
+Trace traceInMemory(int size, Random random) {
   return randomTrace(size, random, {.isOfCalls = true, .isFollowed = true});
 }
-Trace goodTrace(int size, Random random) { return withoutRefused(anyTrace(size, random)); }
+Trace goodTrace(int size, Random random) { return withoutRefused(randomTrace(size, random, {})); }
 
 Trace plainTrace(int size, Random random) {
-  Trace trace = anyTrace(size, random);
+  Trace trace = randomTrace(size, random, {});
   trace.preserve = {};
   return withoutRefused(trace);
 }
@@ -120,8 +119,7 @@ void showValue(const Chance& chance, std::ostream& out) {
 }
 
 rc::Gen<AnyTrace> AnyTrace::arbitrary() { return ofKind<AnyTrace>(traces(anyTrace, {})); }
-rc::Gen<TraceOfCalls> TraceOfCalls::arbitrary() { return ofKind<TraceOfCalls>(traces(traceOfCalls, {})); }
-rc::Gen<FollowedTrace> FollowedTrace::arbitrary() { return ofKind<FollowedTrace>(traces(followedTrace, {})); }
+rc::Gen<TraceInMemory> TraceInMemory::arbitrary() { return ofKind<TraceInMemory>(traces(traceInMemory, {})); }
 rc::Gen<GoodTrace> GoodTrace::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
 rc::Gen<PlainTrace> PlainTrace::arbitrary() {
   return ofKind<PlainTrace>(traces(plainTrace, [](const oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));

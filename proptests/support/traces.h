@@ -15,19 +15,14 @@
 
 namespace lgs::test {
 
-/// Any edits, those among them that must be refused; in some cases a preserve relation.
+/// All kinds of calls, those among them that must be refused; in some cases a preserve relation.
 struct AnyTrace : oracle::Trace {
   static rc::Gen<AnyTrace> arbitrary();
 };
 
-/// All kinds of calls, those among them that must be refused.
-struct TraceOfCalls : oracle::Trace {
-  static rc::Gen<TraceOfCalls> arbitrary();
-};
-
-/// The same, but that chunks stay in memory and the world is not saved: so views can follow it.
-struct FollowedTrace : oracle::Trace {
-  static rc::Gen<FollowedTrace> arbitrary();
+/// The same, but that all chunks stay in memory.
+struct TraceInMemory : oracle::Trace {
+  static rc::Gen<TraceInMemory> arbitrary();
 };
 
 /// Every edit is good.

@@ -50,7 +50,7 @@ bool LoopView::update(const World& outline, const Changes& lists) {
     join(s.predecessor.value, s.id.value);
     join(s.id.value, s.successor.value);
   }
-  nameAll(lists.added);
+  nameAll();
   return true;
 }
 

@@ -48,12 +48,14 @@ std::vector<LoopId> LoopView::all() const {
   return out;
 }
 
-void LoopView::nameAll(std::span<const SegmentId> added) {
+void LoopView::nameAll() {
   detail::sort(changes_.before, [](const LoopFacts& a, const LoopFacts& b) { return a.id < b.id; });
   for (Rest& rest : rests_) rest.node = treaps_.climb(rest.node);
   made_.clear();
   for (const Rest& rest : rests_) made_.push_back(rest.node);
-  for (const SegmentId id : added) made_.push_back(treaps_.climb(id.value));
+  // New ones; and what led into an unloaded chunk, and closes though nothing of it is new.
+  for (const Segment& s : segments_)
+    if (const std::uint32_t root = treaps_.climb(s.id.value); treaps_[root].loop == 0) made_.push_back(root);
   detail::sort(made_);
   made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
   for (const std::uint32_t root : made_) treaps_[root].loop = 0;

@@ -57,7 +57,7 @@ class LoopView {
   void putAll(std::span<const Segment> added);
   void join(std::uint32_t a, std::uint32_t b);
 
-  void nameAll(std::span<const SegmentId> added);
+  void nameAll();
   void findShares();
   void findHeirs();
   const LoopFacts& before(std::uint32_t loop) const;

@@ -1,0 +1,57 @@
+#include "oracle/check/law.h"
+
+#include "oracle/check/comparable.h"
+#include "oracle/check/failure.h"
+#include "oracle/reference/compare.h"
+
+#include <fmt/format.h>
+#include <array>
+#include <utility>
+
+namespace lgs::oracle {
+
+Seen::Seen(const Trace& checked, const CheckOptions& by, CheckStats& counts)
+    : trace(checked),
+      options(by),
+      stats(counts),
+      library(by.engine ? nullptr : &own),
+      engine(by.engine ? *by.engine : own) {}
+
+Mismatch Seen::mismatch(Mismatch::Kind kind, std::string text, Outline marked) const {
+  if (!text.ends_with('\n')) text += '\n';
+  const Outline outline = engine.outline();
+  return {kind,
+          std::move(text),
+          edits,
+          commits,
+          scene(),
+          outline,
+          outline,
+          {edited.begin(), edited.end()},
+          std::move(marked),
+          engine.can()};
+}
+
+Mismatch Seen::noAnswer(const Failure& failure) {
+  constexpr std::array kKinds{Mismatch::Kind::crash, Mismatch::Kind::hang, Mismatch::Kind::protocol};
+  const std::string text = inWords(failure, fmt::format(" after edit {}", edits));
+  Mismatch found = mismatch(kKinds[static_cast<std::size_t>(failure.kind)], text);
+  found.expected = found.actual = comparable(naive(scene()).outline, engine.can());
+  return found;
+}
+
+Found Seen::differing(Mismatch::Kind kind, const Scene& scene, const Outline& expected, const Outline& actual,
+                      const Capabilities& can) const {
+  stats.segments += expected.size();
+  if (expected == actual) return std::nullopt;
+  Mismatch found = mismatch(kind, "");
+  found.expected = comparable(expected, can);
+  found.actual = comparable(actual, can);
+  found.can = can;
+  if (found.expected == found.actual) return std::nullopt;
+  found.text = describe(compare(found.expected, found.actual));
+  found.scene = scene;
+  return found;
+}
+
+}  // namespace lgs::oracle

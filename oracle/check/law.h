@@ -1,0 +1,85 @@
+// A law as a body: what it looks at around a call, after a commit, now and then, and at the end of a trace. A law is a
+// file in laws/ and a line in laws/list.cpp. With that it is held wherever traces are checked: by `lgs check` and
+// `lgs replay --check`, the laws of RapidCheck, the fuzz targets, the regressions and the bulk runs.
+#pragma once
+
+#include "oracle/check/checker.h"
+#include "oracle/check/library_engine.h"
+#include "oracle/check/window.h"
+#include "oracle/engine/engine.h"
+#include "oracle/reference/naive.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lgs::oracle {
+
+using Found = std::optional<Mismatch>;
+
+/// What laws see: the engine, and what must stand in it.
+class Seen {
+ public:
+  Seen(const Trace& checked, const CheckOptions& by, CheckStats& counts);
+  Seen(const Seen&) = delete;
+  Seen& operator=(const Seen&) = delete;
+
+  const Trace& trace;
+  const CheckOptions& options;
+  CheckStats& stats;
+  LibraryEngine own;
+  LibraryEngine* const library;  ///< null, if another engine is checked
+  Engine& engine;
+  Model placed;             ///< in another engine
+  CellSet edited;           ///< since the last commit, by calls that are edits
+  bool isAnywhere = false;  ///< other cells may have changed since, too
+  std::size_t edits = 0;    ///< calls of the trace that were played
+  std::size_t commits = 0;
+  bool isWhole = false;  ///< after this commit the whole world is compared
+  bool wasAway = false;  ///< some chunks are not in memory, or were not
+  NaiveReference naive;
+
+  const Model& model() const { return library != nullptr ? library->model() : placed; }
+  Scene scene() const { return model().scene(trace.preserve); }
+  World& world() { return library->player().world(); }
+  bool isPending() const { return library != nullptr && library->player().pending(); }
+
+  Mismatch mismatch(Mismatch::Kind kind, std::string text, Outline marked = {}) const;
+
+  /// Of an engine that gave no answer: its outline is an old one. The picture shows what it should have answered.
+  Mismatch noAnswer(const Failure& failure);
+
+  /// What differs, in what the engine can do, or what may be asked of it here.
+  Found differing(Mismatch::Kind kind, const Scene& scene, const Outline& expected, const Outline& actual,
+                  const Capabilities& can) const;
+  Found differing(Mismatch::Kind kind, const Scene& scene, const Outline& expected, const Outline& actual) const {
+    return differing(kind, scene, expected, actual, engine.can());
+  }
+};
+
+class Law {
+ public:
+  Law() = default;
+  virtual ~Law() = default;
+  Law(const Law&) = delete;
+  Law& operator=(const Law&) = delete;
+
+  /// The engine has a new, empty world.
+  virtual void begin(Seen&) {}
+  /// A call that is no commit, of this library's engine: before it, with what must come of it; and after it.
+  virtual void before(Seen&, const Judged&) {}
+  virtual Found after(Seen&, const Judged&, bool /*isRefused*/) { return std::nullopt; }
+  virtual Found afterCommit(Seen&) { return std::nullopt; }
+  /// After some commits, and at the end: what takes long.
+  virtual Found nowAndThen(Seen&) { return std::nullopt; }
+  virtual Found atEnd(Seen&) { return std::nullopt; }
+};
+
+using Laws = std::vector<std::unique_ptr<Law>>;
+
+/// Those that can be held of an engine, in the order in which they are looked at.
+Laws lawsOf(const Seen& seen);
+
+}  // namespace lgs::oracle

@@ -1,0 +1,70 @@
+// While a world follows its cells, a copy that cellChanges() alone keeps up to date is what stands, as of the last commit.
+#include "oracle/check/laws/list.h"
+
+#include <fmt/format.h>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace lgs::oracle {
+namespace {
+
+using Content = std::vector<std::tuple<PolygonHandle, Block, LocalPolygon>>;
+
+Content contentOf(std::span<const PlacedPolygon> polygons) {
+  Content out;
+  for (const PlacedPolygon& p : polygons)
+    out.emplace_back(p.handle, p.block, LocalPolygon(p.vertices.begin(), p.vertices.end()));
+  return out;
+}
+
+std::map<Cell, Content> cellsOf(const World& world) {
+  std::map<Cell, Content> cells;
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) { cells[cell].push_back(contentOf({&p, 1})[0]); });
+  return cells;
+}
+
+class CellsLaw : public Law {
+ public:
+  Found after(Seen& seen, const Judged& judged, bool isRefused) override {
+    using enum Call::Kind;
+    const Call::Kind kind = judged.call.kind;
+    if (isRefused) return std::nullopt;
+    if (kind == follow) isOn_ = judged.call.nth % 2 != 0;
+    if (kind == follow) told_ = cellsOf(seen.world());
+    if (kind == load) isOn_ = false;
+    return isOn_ && (kind == goBack || kind == goForward) ? listen(seen) : std::nullopt;
+  }
+
+  Found afterCommit(Seen& seen) override {
+    if (!isOn_) return std::nullopt;
+    if (auto found = listen(seen)) return found;
+    if (told_ == cellsOf(seen.world())) return std::nullopt;
+    return seen.mismatch(Mismatch::Kind::changes, "cellChanges() does not tell of a cell that changed");
+  }
+
+ private:
+  Found listen(Seen& seen) {
+    std::set<Cell> named;
+    for (const CellChange& change : seen.world().cellChanges()) {
+      const auto wrong = [&](const char* what) {
+        return seen.mismatch(Mismatch::Kind::changes,
+                             fmt::format("cellChanges() {} cell ({}, {})", what, change.cell.i, change.cell.j));
+      };
+      if (!named.insert(change.cell).second) return wrong("names twice");
+      if (told_[change.cell] != contentOf(change.before)) return wrong("tells of another past of");
+      told_[change.cell] = contentOf(change.now);
+      if (change.now.empty()) told_.erase(change.cell);
+    }
+    return std::nullopt;
+  }
+
+  bool isOn_ = false;
+  std::map<Cell, Content> told_;
+};
+
+}  // namespace
+
+std::unique_ptr<Law> laws::cells() { return std::make_unique<CellsLaw>(); }
+
+}  // namespace lgs::oracle

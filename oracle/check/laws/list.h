@@ -1,0 +1,37 @@
+// The laws: each is a file in this folder, and a line here.
+//
+// A line has the name of the function that makes it, and of whom it is held. Of any engine: segments, islands, history.
+// Of this library's alone: what only it shows.
+#pragma once
+
+#include "oracle/check/law.h"
+
+namespace lgs::oracle::laws {
+
+// clang-format off
+#define LGS_LAWS(law)                                                                               \
+  law(refusals,  library)  /* 7: what is refused changes nothing */                                 \
+  law(handles,   library)  /* a handle of what is gone names nothing */                             \
+  law(marks,     library)  /* a mark that the world went back beyond leads nowhere */                 \
+  law(brushes,   library)  /* 8, 9: near to the exact result; what is not reached stays */          \
+  law(changes,   library)  /* 6: the lists of changes, alone, keep a copy up to date */             \
+  law(locality,  library)  /* 5: a commit changes what lies at the edits */                         \
+  law(polygons,  library)  /* what stands reads as it was placed */                                 \
+  law(cells,     library)  /* a copy of the cells that cellChanges() alone keeps up to date */      \
+  law(loopView,  library)  /* 15: loops, also while chunks come and go */                           \
+  law(views,     library)  /* 15: a view is its recompute */                                        \
+  law(bodies,    library)  /* what is taken out of the ground, and foreseen */                      \
+  law(outline,   any)      /* 1 to 3 and 14: the references have the same segments, links, loops */ \
+  law(islands,   any)      /* what hangs together */                                                \
+  law(questions, library)  /* what is asked about places is answered as the slow way answers it */  \
+  law(twins,     library)  /* 4, 5: moved, turned, mirrored, cut */                                 \
+  law(past,      library)  /* 12, 7: what was undone, or refused, has left no trace */              \
+  law(memory,    library)  /* what goes leaves nothing */                                           \
+  law(history,   any)      /* 4: how it came about does not matter; the last, as it begins anew */
+// clang-format on
+
+#define LGS_DECLARED(name, whose) std::unique_ptr<Law> name();
+LGS_LAWS(LGS_DECLARED)
+#undef LGS_DECLARED
+
+}  // namespace lgs::oracle::laws

@@ -1,0 +1,62 @@
+// What goes leaves nothing. In a new world all calls are made that led to this one; then all of it is brought back to be
+// cleared, and left: it is as if no edit had ever been there. So the same can be done again, and again, and what the
+// world holds then is what it held the times before.
+#include "oracle/check/laws/list.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace lgs::oracle {
+namespace {
+
+constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+
+// Lists grow in the first rounds. Records of cells come in pages of 2^16 words: what the cells of a chunk that is empty
+// again keep, two words each, fills one after 32 rounds.
+constexpr int kFirst = 3, kFew = 6, kMany = 44;
+
+bool makesLists(const Told& told) {
+  return told.call.kind == Call::Kind::reloadEmpty && !told.outcome.refusal && told.outcome.count > 0;
+}
+
+std::string wrongMemory(const Player& player) {
+  const bool isLong = std::ranges::any_of(player.past(), [](const auto& told) { return makesLists(*told); });
+  const int rounds = isLong ? kMany : kFew;
+  World world(relationOf(player.preserve()));
+  std::uint64_t first = 0;
+  for (int round = 1; round <= rounds; ++round) {
+    Caller caller(std::move(world));  // with no chunk on its shelf
+    for (const auto& told : player.past())
+      told->outcome.refusal ? static_cast<void>(caller.makeShapes(told->call))
+                            : static_cast<void>(caller.makeResolved(told->call));
+    world = std::move(caller.world);
+    world.commit();
+    if (!world.reloadEmpty(kEverywhere) || !world.clear(kEverywhere)) return "what stands can not be taken away";
+    world.commit();
+    if (!world.forget(kEverywhere)) return "an empty world can not be left";
+    const Stats left = world.stats();
+    if (left.polygons + left.cells + left.segments + left.chunks != 0)
+      return fmt::format("of an empty world that was left {} segments and {} chunks stay", left.segments, left.chunks);
+    if (round == kFirst) first = left.bytes;
+    if (round == rounds && left.bytes > first)
+      return fmt::format("emptied and left, the world holds {} bytes after {} times, and {} after {}", first, kFirst,
+                         left.bytes, rounds);
+  }
+  return "";
+}
+
+class MemoryLaw : public Law {
+ public:
+  Found atEnd(Seen& seen) override {
+    const Player& player = seen.library->player();
+    if (!player.isOfOnePast()) return std::nullopt;
+    std::string wrong = wrongMemory(player);
+    return wrong.empty() ? std::nullopt : Found(seen.mismatch(Mismatch::Kind::memory, std::move(wrong)));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Law> laws::memory() { return std::make_unique<MemoryLaw>(); }
+
+}  // namespace lgs::oracle
