@@ -37,7 +37,10 @@ void LoopView::load(const World& outline) {
     } while (s && s->id != first);
     const std::uint32_t root = treaps_.build(ids);
     treaps_[root].isClosed = s ? 1 : 0;
-    if (s) newId(root);
+    if (s)
+      newId(root);
+    else
+      hasOpen_ = true;
   }
 }
 
@@ -54,15 +57,20 @@ void LoopView::nameAll(std::span<const SegmentId> added) {
   made_.clear();
   for (const Rest& rest : rests_) made_.push_back(rest.node);
   for (const SegmentId id : added) made_.push_back(treaps_.climb(id.value));
+  for (std::uint32_t& end : openEnds_) made_.push_back(end = treaps_.climb(end));
   detail::sort(made_);
   made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
   for (const std::uint32_t root : made_) treaps_[root].loop = 0;
   const auto isOpen = [this](std::uint32_t root) { return treaps_[root].isClosed == 0; };
-  std::erase_if(made_, isOpen);  // they lead into unloaded chunks
+  if (std::erase_if(made_, isOpen) > 0) hasOpen_ = true;  // they lead into unloaded chunks
   std::erase_if(rests_, [&](const Rest& rest) { return isOpen(rest.node); });
   findShares();
   findHeirs();
   tell();
+  for (const std::uint32_t root : openEnds_)
+    if (treaps_[root].isClosed != 0) changes_.closed.push_back({treaps_[root].loop});
+  detail::sort(changes_.closed);
+  changes_.closed.erase(std::unique(changes_.closed.begin(), changes_.closed.end()), changes_.closed.end());
 }
 
 void LoopView::findShares() {
