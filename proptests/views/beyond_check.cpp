@@ -39,7 +39,8 @@ std::string BeyondCheck::begin(const World& part, const World& whole, const Isla
 std::string BeyondCheck::update(const World& part, const World& whole, const Islands& islands) {
   Moment now;
   if (std::string wrong = read(part, whole, islands, now); !wrong.empty()) return wrong;
-  std::string wrong = compare(islands, now);
+  std::string wrong = compare(islands, now, false);
+  if (!wrong.empty() && compare(islands, now, true).empty()) wrong.clear();
   before_ = std::move(now);
   return wrong;
 }
@@ -50,6 +51,8 @@ std::string BeyondCheck::read(const World& part, const World& whole, const Islan
     out.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
     if (part.firstUnloaded({cell, cell})) out.away.insert(chunkOf(cell));
   });
+  for (const Cell corner : {Cell{-32, -32}, {0, -32}, {-32, 0}, {0, 0}})
+    if (part.firstUnloaded({corner, corner}) && !out.away.contains(corner)) out.empty.insert(corner);
   const auto isAway = [&](std::size_t k) { return out.away.contains(chunkOf(out.polygons[k].cell)); };
   std::vector<std::size_t> set = oracle::setsOf(out.polygons);
   const std::ptrdiff_t beyond = unite(set, isAway);
@@ -97,9 +100,13 @@ std::string BeyondCheck::read(const World& part, const World& whole, const Islan
   return {};
 }
 
-std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now) const {
+std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, bool withEmpty) const {
   std::set<Cell> away = before_.away;
   away.insert(now.away.begin(), now.away.end());
+  if (withEmpty) {
+    away.insert(before_.empty.begin(), before_.empty.end());
+    away.insert(now.empty.begin(), now.empty.end());
+  }
   std::vector<ScenePolygon> all = before_.polygons;
   all.insert(all.end(), now.polygons.begin(), now.polygons.end());
   const std::size_t olds = before_.polygons.size();
@@ -132,9 +139,9 @@ std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now) const {
   return out;
 }
 
-std::string BeyondCheck::compare(const Islands& islands, const Moment& now) const {
+std::string BeyondCheck::compare(const Islands& islands, const Moment& now, bool withEmpty) const {
   IslandChanges expected;
-  for (const Kin& kin : kinOf(now)) {
+  for (const Kin& kin : kinOf(now, withEmpty)) {
     const auto largest = [](const std::set<IslandId>& ids, const Moment& moment) {
       return *std::ranges::min_element(
           ids, [&](IslandId a, IslandId b) { return isLarger(moment.known.at(a), moment.known.at(b)); });

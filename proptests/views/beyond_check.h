@@ -29,7 +29,8 @@ class BeyondCheck {
     std::vector<oracle::ScenePolygon> polygons;
     std::vector<IslandId> islandOf;  ///< of each polygon
     std::map<IslandId, IslandFacts> known;
-    std::set<Cell> away;  ///< the lower-left cells of unloaded chunks
+    std::set<Cell> away;   ///< the lower-left cells of unloaded chunks with ground
+    std::set<Cell> empty;  ///< and of those near without
   };
   struct Kin {
     std::set<IslandId> olds, news;
@@ -37,8 +38,8 @@ class BeyondCheck {
   };
 
   std::string read(const World& part, const World& whole, const Islands& islands, Moment& out) const;
-  std::vector<Kin> kinOf(const Moment& now) const;
-  std::string compare(const Islands& islands, const Moment& now) const;
+  std::vector<Kin> kinOf(const Moment& now, bool withEmpty) const;
+  std::string compare(const Islands& islands, const Moment& now, bool withEmpty) const;
 
   IsAnchor isAnchor_;
   Moment before_;

@@ -71,7 +71,8 @@ struct IslandPair {
 /// keeps its own, and if that id is not taken. All others of now have new ids.
 ///
 /// kBeyond is there before and after, and is larger than all others. Its kin is also what was or is in a chunk that was
-/// or is unloaded; and what was taken away and touched the square of such a chunk.
+/// or is unloaded; and what was taken away and touched the square of such a chunk. (One that holds nothing may count or
+/// not.)
 struct IslandChanges {
   std::vector<IslandId> came;     ///< new ids of islands without kin before
   std::vector<IslandId> went;     ///< ids that are no more, of islands without kin now
