@@ -172,6 +172,7 @@ void buildBridge(Ground<>& ground) {
   EXPECT_TRUE(ground.edit([](World& world) -> Expected<void> {
     const ShapeId square = world.shape(kUnitSquare).value();
     if (const auto done = world.fill({{0, 0}, {0, 5}}, square, kBedrock); !done) return tl::unexpected(done.error());
+    if (const auto done = world.fill({{1, 0}, {8, 0}}, square, kBedrock); !done) return tl::unexpected(done.error());
     if (const auto done = world.fill({{1, 5}, {8, 5}}, square, kStone); !done) return tl::unexpected(done.error());
     return {};
   }));
