@@ -16,7 +16,7 @@ CPP = {
     "C++": (["lgs/world.h", "lgs/radial_match.h", "lgs/version.h"], [ENGINE]),
     "brush": (["lgs/brush.h"], [ENGINE, "lib/brush/include"]),
     "pieces": (["lgs/pieces.h"], [ENGINE, "lib/pieces/include"]),
-    "views": (["lgs/hashes.h", "lgs/islands.h"], [ENGINE, "lib/views/include"]),
+    "views": (["lgs/hashes.h", "lgs/islands.h", "lgs/unloaded.h"], [ENGINE, "lib/views/include"]),
     "falling": (["lgs/falling.h"], [ENGINE, "lib/views/include", "addons/falling/include"]),
     "debug": (["lgs/debug.h"], [ENGINE, "addons/debug/include"]),
     "tiled": (["lgs/tiled/import.h"], [ENGINE, "addons/tiled/include"]),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <utility>
 
 namespace lgs {
 namespace {
@@ -79,6 +80,22 @@ GroundDrawing drawingOf(const World& world, const CellRect& cells) {
   return drawing;
 }
 
+void ChangedSquares::note(Cell cell) {
+  for (const std::int32_t dj : {-1, 1})  // what stands in a cell changes the outline in those around it
+    for (const std::int32_t di : {-1, 1}) corners_.insert({(cell.i + di) & -kSide, (cell.j + dj) & -kSide});
+}
+
+void ChangedSquares::note(const World& world) {
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { note(cell); });
+}
+
+std::vector<GroundDrawing> ChangedSquares::draw(const World& world) {
+  std::vector<GroundDrawing> drawings;
+  for (const Cell corner : std::exchange(corners_, {}))
+    drawings.push_back(drawingOf(world, {corner, {corner.i + kSide - 1, corner.j + kSide - 1}}));
+  return drawings;
+}
+
 void putRock(std::vector<std::byte>& out, const Rock& rock) {
   for (const double real : {rock.placing.origin.x, rock.placing.origin.y, rock.placing.cosine, rock.placing.sine,
                             rock.velocity.x, rock.velocity.y, rock.spin})
@@ -129,6 +146,33 @@ std::optional<Rock> takeRock(std::span<const std::byte>& bytes) {
 CellRect chunkAround(Cell cell) {
   return {{std::max(cell.i & ~kInChunk, -kMaxCell), std::max(cell.j & ~kInChunk, -kMaxCell)},
           {std::min(cell.i | kInChunk, kMaxCell), std::min(cell.j | kInChunk, kMaxCell)}};
+}
+
+std::vector<Cell> chunksAround(const CellRect& cells) {
+  std::vector<Cell> corners;
+  const auto grown = [](std::int32_t index, std::int32_t by) { return std::clamp(index + by, -kMaxCell, kMaxCell); };
+  const Cell min = chunkAround({grown(cells.min.i, -kInChunk - 1), grown(cells.min.j, -kInChunk - 1)}).min;
+  const Cell max = chunkAround({grown(cells.max.i, kInChunk + 1), grown(cells.max.j, kInChunk + 1)}).max;
+  for (std::int32_t j = min.j; j <= max.j; j = (j | kInChunk) + 1)
+    for (std::int32_t i = min.i; i <= max.i; i = (i | kInChunk) + 1) corners.push_back({i, j});
+  return corners;
+}
+
+void unloadOutside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept {
+  const auto [min, max] = chunks;
+  for (const CellRect& cells : {CellRect{{-kMaxCell, -kMaxCell}, {kMaxCell, min.j - 1}},
+                                {{-kMaxCell, max.j + 1}, {kMaxCell, kMaxCell}},
+                                {{-kMaxCell, min.j}, {min.i - 1, max.j}},
+                                {{max.i + 1, min.j}, {kMaxCell, max.j}}})
+    if (!isEmpty(cells)) static_cast<void>(world.unload(cells, shelf.put));
+}
+
+bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept {
+  while (const auto cell = world.firstUnloaded(chunks)) {
+    const auto bytes = shelf.get(chunkAround(*cell).min);
+    if (!bytes || !world.reload(*bytes)) return false;
+  }
+  return true;
 }
 
 // A copy gives the bytes, so that nothing leaves the world itself. What an undo owes to a chunk on the shelf is paid when

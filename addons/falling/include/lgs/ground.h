@@ -121,8 +121,8 @@ class Ground {
     if (chunks == window_) return true;
     window_ = chunks;
     makeLand();
-    unloadOutside();
-    const bool isAll = reloadInside();
+    unloadOutside(world_, window_, options_.shelf);
+    const bool isAll = reloadInside(world_, window_, options_.shelf);
     if (!isAll) window_ = {{0, 0}, {-1, -1}};
     host_.window();
     commit();
@@ -147,9 +147,9 @@ class Ground {
     for (Rock& rock : loaded->rocks) fallen_.push_back({std::move(rock), {}, -1});
     made_ = {loaded->land.begin(), loaded->land.end()};
     newLand_.clear();
-    noteSquares();
+    squares_.note(world_);
     world_ = std::move(loaded->world);
-    noteSquares();
+    squares_.note(world_);
     begin();
     host_.showAll();
     for (Fallen& f : fallen_) make(f);
@@ -161,12 +161,7 @@ class Ground {
   // --- Looking
 
   /// The squares that look different since the last call, the first time all.
-  std::vector<GroundDrawing> draw() {
-    std::vector<GroundDrawing> drawings;
-    for (const Cell corner : std::exchange(squares_, {}))
-      drawings.push_back(drawingOf(world_, {corner, {corner.i + kSquare - 1, corner.j + kSquare - 1}}));
-    return drawings;
-  }
+  std::vector<GroundDrawing> draw() { return squares_.draw(world_); }
   /// Calls visit(handle, ground) for each rock in the air. A null handle has no body, as all of it is too thin.
   template <class Visit>
   void forEachRock(const Visit& visit) const {
@@ -175,7 +170,8 @@ class Ground {
   }
   /// Puts a rock into the ground now, as it lies. Refused: staleHandle; as by the host's settle().
   Expected<void> settle(Handle handle) {
-    const auto found = std::ranges::find_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
+    const auto found =
+        std::ranges::find_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
     if (found == fallen_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     return settle(*found);
   }
@@ -189,7 +185,6 @@ class Ground {
   Host& host() { return host_; }                       ///< the physics, with the terrain
 
  private:
-  static constexpr std::int32_t kSquare = 8;
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
   /// A rock, and between which marks it is one: it was taken in the stretch after the mark `took`.
@@ -199,6 +194,8 @@ class Ground {
     std::int64_t took = 0;
     std::int64_t settled = kNever;
     bool isInAir = true;
+    int tries = 0;            ///< how often it did not become ground by itself, or nothing held it then
+    std::uint64_t until = 0;  ///< the step before which it does not try again
   };
 
   void begin() {
@@ -215,7 +212,7 @@ class Ground {
   void show(const Changes& changes) {
     host_.show(changes);
     if (!islands_.update(world_, changes)) islands_ = Islands(world_, options_.isAnchor);
-    for (const CellChange& change : world_.cellChanges()) noteSquaresAt(change.cell);
+    for (const CellChange& change : world_.cellChanges()) squares_.note(change.cell);
     if (options_.follow) options_.follow(world_, changes);
   }
   /// With what falls by it.
@@ -252,11 +249,13 @@ class Ground {
 
   // --- Settling
 
-  /// The rocks in turn, so that one that can not settle keeps no other one from it.
+  /// The rocks in turn. One that does not fit, or would fall again, tries again later and later.
   void settleNext() {
+    ++steps_;
     for (std::size_t k = std::min<std::size_t>(fallen_.size(), 16); k > 0; --k) {
       Fallen& f = fallen_[next_++ % fallen_.size()];
-      if (!f.isInAir || isNull(f.handle) || !host_.rests(f.handle)) continue;
+      if (!f.isInAir || isNull(f.handle) || steps_ < f.until || !host_.rests(f.handle)) continue;
+      f.until = steps_ + (std::uint64_t{60} << std::min(f.tries++, 6));
       static_cast<void>(settle(f));
       return;
     }
@@ -269,8 +268,15 @@ class Ground {
     f.settled = now_;
     f.rock.velocity = {};
     f.rock.spin = 0;
+    const int tries = f.tries;
+    const std::uint64_t until = f.until;
     dropFuture();
+    const std::size_t before = fallen_.size();
     commit();
+    for (std::size_t k = before; k < fallen_.size(); ++k) {  // it would fall again
+      fallen_[k].tries = tries;
+      fallen_[k].until = until;
+    }
     return {};
   }
 
@@ -314,12 +320,8 @@ class Ground {
 
   void makeLand() {
     if (!options_.land) return;
-    const auto grown = [](std::int32_t index, std::int32_t by) { return std::clamp(index + by, -kMaxCell, kMaxCell); };
-    const CellRect around{{grown(window_.min.i, -1), grown(window_.min.j, -1)},
-                          {grown(window_.max.i, 1), grown(window_.max.j, 1)}};
-    for (std::int32_t j = chunkAround(around.min).min.j; j <= around.max.j; j = chunkAround({0, j}).max.j + 1)
-      for (std::int32_t i = chunkAround(around.min).min.i; i <= around.max.i; i = chunkAround({i, 0}).max.i + 1)
-        if (const Cell corner = chunkAround({i, j}).min; made_.insert(corner).second) makeChunk(corner);
+    for (const Cell corner : chunksAround(window_))
+      if (made_.insert(corner).second) makeChunk(corner);
   }
   void makeChunk(Cell corner) {
     dropFuture();
@@ -327,12 +329,14 @@ class Ground {
     const CellRect chunk = chunkAround(corner);
     World land(options_.preserve);
     options_.land(land, chunk);
+    bool isThere = false;
+    static_cast<void>(land.unload(chunk, [&](Cell, std::span<const std::byte> bytes) {
+      isThere = !world_.firstUnloaded(chunk) && world_.reload(bytes);
+    }));
+    if (isThere || !land.firstUnloaded(chunk)) return;
     // Where an undo went over it there is a chunk, which holds nothing.
     static_cast<void>(world_.reloadEmpty(chunk));
-    land.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-      [[maybe_unused]] const auto done = world_.add(cell, p.vertices, p.block);
-      assert(done);
-    });
+    options_.land(world_, chunk);
   }
   /// An undo took away land that was made since; nobody has dug there at that time.
   void remakeLand() {
@@ -342,35 +346,8 @@ class Ground {
     if (again.empty()) return;
     std::erase_if(newLand_, [&](const auto& land) { return land.second >= now_; });
     for (const Cell corner : again) makeChunk(corner);
-    unloadOutside();
+    unloadOutside(world_, window_, options_.shelf);
     commit();
-  }
-  void unloadOutside() {
-    const auto [min, max] = window_;
-    const auto unload = [&](const CellRect& cells) {
-      if (!isEmpty(cells)) static_cast<void>(world_.unload(cells, options_.shelf.put));
-    };
-    unload({{-kMaxCell, -kMaxCell}, {kMaxCell, min.j - 1}});
-    unload({{-kMaxCell, max.j + 1}, {kMaxCell, kMaxCell}});
-    unload({{-kMaxCell, min.j}, {min.i - 1, max.j}});
-    unload({{max.i + 1, min.j}, {kMaxCell, max.j}});
-  }
-  bool reloadInside() {
-    while (const auto cell = world_.firstUnloaded(window_)) {
-      const auto bytes = options_.shelf.get(chunkAround(*cell).min);
-      if (!bytes || !world_.reload(*bytes)) return false;
-    }
-    return true;
-  }
-
-  // --- What is drawn
-
-  void noteSquaresAt(Cell cell) {
-    for (const std::int32_t dj : {-1, 1})
-      for (const std::int32_t di : {-1, 1}) squares_.insert({(cell.i + di) & -kSquare, (cell.j + dj) & -kSquare});
-  }
-  void noteSquares() {
-    world_.forEachPolygon([&](Cell cell, const PlacedPolygon&) { noteSquaresAt(cell); });
   }
   std::vector<Rock> rocksAsValues() {
     std::vector<Rock> rocks;
@@ -386,12 +363,13 @@ class Ground {
   std::deque<Mark> marks_;             // after each stroke; those behind now_ are ahead
   std::int64_t oldest_ = 0, now_ = 0;  // the numbers of the first mark, and of that at or after which the world is
   std::vector<Fallen> fallen_;         // rocks, of now and of what can be undone or redone
+  std::uint64_t steps_ = 0;            // how often rocks could settle
   std::size_t next_ = 0;               // which of them looks first whether it can settle
   bool looksAtAll_ = false;            // something may hang in the air that no update will name
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
   std::set<Cell> made_;                                 // chunks whose land was made
   std::vector<std::pair<Cell, std::int64_t>> newLand_;  // of these, which an undo may take away, and after which mark
-  std::set<Cell> squares_;                              // to be drawn, by their lower-left cells
+  ChangedSquares squares_;                              // to be drawn
 };
 
 }  // namespace lgs

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -39,8 +40,8 @@ struct GroundOptions {
   IsAnchor isAnchor;            ///< what holds an island; empty: nothing ever falls
   PreserveRelation preserve{};  ///< of its world
   StayingBlocks staying{};      ///< what dig() and paint() go around
-  /// Makes the land of a chunk that nobody has seen yet, in an empty world, with edits inside its cells alone: the same
-  /// for the same chunk, whenever it is asked. Empty: there is none but what the game edits.
+  /// Makes the land of a chunk that nobody has seen yet, with edits inside its cells alone, which hold nothing: the same
+  /// for the same chunk, in whichever world and whenever it is asked. Empty: there is none but what the game edits.
   std::function<void(World& land, const CellRect& chunk)> land{};
   Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
   std::size_t undoSteps = 64;     ///< how many strokes can be undone
@@ -70,6 +71,19 @@ struct GroundDrawing {
 /// What a square of a world looks like. Cost: in proportion to what is in it.
 [[nodiscard]] GroundDrawing drawingOf(const World& world, const CellRect& cells);
 
+/// Squares that look different since they were drawn.
+class ChangedSquares {
+ public:
+  void note(Cell cell);           ///< a cell changed
+  void note(const World& world);  ///< all of a world did
+  /// Forgets them.
+  [[nodiscard]] std::vector<GroundDrawing> draw(const World& world);
+
+ private:
+  static constexpr std::int32_t kSide = 8;
+  std::set<Cell> corners_;
+};
+
 /// The bytes of a rock, behind what is in `out`.
 void putRock(std::vector<std::byte>& out, const Rock& rock);
 
@@ -79,6 +93,13 @@ void putRock(std::vector<std::byte>& out, const Rock& rock);
 
 /// The cells of the chunk that a cell is in, as far as they are in range.
 [[nodiscard]] CellRect chunkAround(Cell cell);
+
+/// The lower-left cells of the chunks with a cell of a rectangle, and of those one chunk further.
+[[nodiscard]] std::vector<Cell> chunksAround(const CellRect& cells);
+/// All chunks out of a rectangle of whole chunks leave memory.
+void unloadOutside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept;
+/// Those in it come back; false where the shelf does not give one.
+[[nodiscard]] bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept;
 
 /// What a save of a Ground holds.
 struct LoadedGround {
@@ -99,7 +120,7 @@ class NoPhysics {
   using Handle = std::uint32_t;  ///< names a rock, from 1 on; what is value-initialised names none
 
   /// The world must outlive it and stay where it is.
-  explicit NoPhysics(World& world) : world_(world) {}
+  explicit NoPhysics(World& world) noexcept : world_(world) {}
 
   /// How a rock lies, to be moved; it must be there.
   Rock& rock(Handle handle) { return rocks_.at(handle); }
