@@ -207,6 +207,10 @@ TEST(GroundByHand, UndoOverATakeAndOverASettle) {
   ASSERT_EQ(rocks().size(), 1U) << "it falls again, from where it was";
   EXPECT_EQ(ground.host().rock(rocks()[0]).placing.origin.y, 5);
   EXPECT_TRUE(ground.redo() && !ground.redo());
+  ground.step([] {});
+  ASSERT_EQ(rocks().size(), 1U) << "without physics nothing settles by itself";
+  ground.forget(rocks()[0]);
+  EXPECT_TRUE(rocks().empty());
 }
 
 TEST(GroundByHand, BytesThatAreDamagedAreRefusedOrHold) {
