@@ -44,10 +44,10 @@ ROOMS = {
     "lib/views/src": ["lib/include", "lib/geometry", "lib/views/include"],
     # It stands on three views and brushes, and knows no physics engine. What knows Box2D is headers alone, on top of
     # the terrain: so the terrain needs no islands, and islands need no Box2D.
-    "addons/falling/include": ["lib/include", "lib/views/include"],
+    "addons/falling/include": ["lib/include", "lib/views/include", "lib/brush/include"],
     "addons/falling/src": ["lib/include", "lib/views/include", "lib/pieces/include", "lib/brush/include",
                         "addons/falling/include"],
-    "addons/falling/box2d": ["lib/include", "lib/views/include", "addons/falling/include", "addons/box2d/include",
+    "addons/falling/box2d": ["lib/include", "lib/views/include", "lib/brush/include", "addons/falling/include", "addons/box2d/include",
                           "addons/box2d/v2/include", "addons/box2d/v3/include"],
     "addons/tiled/include": ["lib/include"],
     "addons/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "addons/tiled/include"],
@@ -93,7 +93,7 @@ ROOMS = {
     "bench/instructions": ENGINE + ["addons/box2d/include", "lib/brush/include", "lib/brush/src", "oracle/calls"],
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "addons/box2d/ride"],
-    "examples": ENGINE + ADAPTERS + ["oracle/engine/include"],
+    "examples": ENGINE + ADAPTERS + ["oracle/engine/include", "addons/sync"],
     "packaging": ENGINE,
     "addons/sync": ["lib/include", "lib/views/include"],
     "addons/files": ["lib/include", "lib/views/include", "addons/sync", "addons/debug/include"],

@@ -159,6 +159,7 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
   }
   Statement remove(file, "DELETE FROM chunk WHERE i = ?1 AND j = ?2");
   for (const auto& [corner, hash] : there) {
+    if (world.firstUnloaded(GroundHashes::square(corner, 0).cells)) continue;  // it is not in memory, and not gone
     remove.bind(1, corner.i);
     remove.bind(2, corner.j);
     remove.step();
@@ -182,6 +183,8 @@ Done WorldFile::load(lgs::World& world, const CellRect& cells) const {
     all.merge(*ground);
   }
   if (!select.isDone()) return failure(file_.get());
+  if (world.firstUnloaded(wholeChunks(cells)))
+    return tl::unexpected(std::string("some of these chunks are unloaded: World::reloadEmpty() comes first"));
   if (!in_step::setGround(world, all, wholeChunks(cells)))
     return tl::unexpected(std::string("the world refuses the ground"));
   return {};

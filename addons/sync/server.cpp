@@ -1,18 +1,45 @@
 #include "server.h"
 
+#include <lgs/unloaded.h>
+
+#include <utility>
+
 namespace in_step {
 
-Server::Server(const lgs::World& world) : world_(world), hashes_(world) {}
+Server::Server(const lgs::World& world, lgs::GroundHashes hashes) : world_(world), hashes_(std::move(hashes)) {
+  for (const lgs::CellRect& chunk : lgs::unloadedChunks(world)) away_.insert(chunk.min);
+}
 
 News Server::news(News::Kind kind, const Square& square) const { return {kind, turn_, hashes_.hash(), square, {}, {}}; }
 
+/// What the last commit or roll-back changed, without what only left memory or came back. What came back as something
+/// else, since an undo went over it, clients find out by its hash.
+std::vector<lgs::CellChange> Server::edits() {
+  std::vector<lgs::CellChange> edits;
+  for (const lgs::CellChange& change : world_.cellChanges()) {
+    const lgs::CellRect chunk = lgs::GroundHashes::square(change.cell, 0).cells;
+    if (world_.firstUnloaded(chunk))
+      away_.insert(chunk.min);
+    else if (!away_.contains(chunk.min))
+      edits.push_back(change);
+  }
+  std::erase_if(away_, [this](lgs::Cell corner) {
+    const lgs::CellRect chunk = lgs::GroundHashes::square(corner, 0).cells;
+    if (world_.firstUnloaded(chunk)) return false;
+    hashes_.set(corner, groundHash(world_, chunk));
+    return true;
+  });
+  return edits;
+}
+
 Bytes Server::update() {
-  hashes_.update(world_.cellChanges());
+  const std::vector<lgs::CellChange> edits = this->edits();
+  hashes_.update(edits);
   ++turn_;
   const lgs::HashedSquare whole = hashes_.whole();
   News news = this->news(News::Kind::edits, {whole.level, whole.cells.min});
-  if (world_.cellChanges().size() <= kMaxCells)
-    for (const lgs::CellChange& change : world_.cellChanges())
+  if (edits.size() <= kMaxCells)
+    for (const lgs::CellChange& change : edits)
       news.ground[change.cell] = contentOf({change.now.begin(), change.now.end()});
   return bytesOf(news);
 }
@@ -26,6 +53,7 @@ std::optional<Bytes> Server::answer(std::span<const std::byte> bytes) const {
   const auto question = readQuestion(bytes);
   if (!question) return {};
   const bool isOfParts = question->kind == Question::Kind::parts;
+  if (!(isOfParts && question->square.level > 0) && world_.firstUnloaded(cellsOf(question->square))) return {};
   News answer = news(isOfParts ? News::Kind::parts : News::Kind::ground, question->square);
   if (isOfParts)
     answer.parts = partsOf(world_, hashes_, question->square);

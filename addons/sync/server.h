@@ -1,17 +1,25 @@
 // The end of a line that has the world. It knows nothing of its clients: it tells all of them what each commit changed,
 // and answers whoever asks. How messages travel is up to others.
+//
+// Chunks of the world may be unloaded: they are not gone. Their hashes are kept, no client is told that they are empty,
+// and questions about what is in them are answered once they are back. Commit before you unload.
 #pragma once
 
 #include "message.h"
 
 #include <optional>
+#include <set>
+#include <vector>
 
 namespace in_step {
 
 class Server {
  public:
-  /// Of a world that follows its cells and has no edits that are not committed. It must outlive this.
-  explicit Server(const lgs::World& world);
+  /// Of a world that follows its cells and has no edits that are not committed, nor unloaded chunks. It must outlive
+  /// this.
+  explicit Server(const lgs::World& world) : Server(world, lgs::GroundHashes(world)) {}
+  /// The same of one that may have unloaded chunks, with the hashes of all its ground, whether loaded or not.
+  Server(const lgs::World& world, lgs::GroundHashes hashes);
 
   /// To be called after each commit, roll-back and roll-forward: says what to tell all clients. What changed more than
   /// kMaxCells cells is told without them: clients find out.
@@ -20,15 +28,17 @@ class Server {
   /// To be sent to all clients now and then: so one that lost the last message hears of it.
   Bytes signOfLife() const;
 
-  /// What to send to who asked; nothing, if it is no question. Best while no edit is pending: one that is will be told,
+  /// What to send to who asked; nothing, if it is no question, or one about cells that are unloaded. Best while no edit is pending: one that is will be told,
   /// though it may come to nothing yet. Cost: that of the chunk asked for; or O(1).
   std::optional<Bytes> answer(std::span<const std::byte> question) const;
 
  private:
   News news(News::Kind kind, const Square& square) const;
+  std::vector<lgs::CellChange> edits();
 
   const lgs::World& world_;
   lgs::GroundHashes hashes_;
+  std::set<lgs::Cell> away_;  ///< unloaded chunks, by their lower-left cells
   std::uint64_t turn_ = 1;
 };
 

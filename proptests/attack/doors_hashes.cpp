@@ -5,6 +5,8 @@
 
 #include "oracle/views/ground_hashes.h"
 
+#include <lgs/unloaded.h>
+
 #include <algorithm>
 
 namespace lgs::test {
@@ -75,6 +77,17 @@ void addDoorsOfHashes(Doors& door) {
     copy.update(back);
     EXPECT_EQ(differences(copy, *f.hashes).size(), 0U);
     EXPECT_EQ(oracle::faultOf(copy, f.world).value_or(""), "");
+  });
+  door("unloadedChunks(const World&)", [](Scene& s, bool isOther) {
+    const World& world = isOther ? s.other : s.world;
+    for (const CellRect& chunk : unloadedChunks(world)) EXPECT_EQ(world.firstUnloaded(chunk), chunk.min);
+  });
+  door("GroundHashes::set(Cell, uint64_t)", [](Scene& s, Cell chunk, std::uint64_t hash) {
+    const Followed& f = followedBy(s);
+    GroundHashes copy = *f.hashes;
+    copy.set(chunk, hash);
+    EXPECT_LE(differences(copy, *f.hashes).size(), 1U);
+    EXPECT_LE(copy.hashes(kEverywhere).size(), f.hashes->hashes(kEverywhere).size() + 1);
   });
   door("GroundHashes::hash() const", [](Scene& s) {
     const Followed& f = followedBy(s);

@@ -44,6 +44,7 @@ class Game {
     move(choices);
     std::string wrong = wrong_.empty() ? watch_->look("after the move") : wrong_;
     for (int k = choices.below(3); k >= 0 && wrong.empty(); --k) {
+      terrain_->beforeStep();
       physics_.Step(1.0F / 60, 8, 3);
       terrain_->afterStep();
       wrong = watch_->look("after a step");

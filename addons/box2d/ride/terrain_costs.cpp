@@ -207,6 +207,7 @@ AmongBodies amongBodies(int edits) {
     result.looks.push_back(processorMicroseconds([&] { result.caught += terrain.caughtBy(changes).size(); }));
     result.syncs.push_back(processorMicroseconds([&] { (void)terrain.sync(changes); }));
     for (int step = 0; step < 4; ++step) {
+      terrain.beforeStep();
       physics.step();
       terrain.afterStep();
     }

@@ -62,6 +62,31 @@ World loaded(const WorldFile& file, const CellRect& cells = kAll) {
   return world;
 }
 
+TEST(WorldFile, KeepsWhatIsOnlyNotInMemory) {
+  const auto path = freshPath();
+  World world;
+  for (std::uint32_t turn = 1; turn <= 300; ++turn) play(world, turn);
+  world.commit();
+  WorldFile file = opened(path);
+  save(file, world);
+  const World whole = world;
+  std::vector<std::byte> left;
+  ASSERT_TRUE(world.unload({{0, 0}, {31, 31}}, [&](Cell, std::span<const std::byte> bytes) {
+    left.assign(bytes.begin(), bytes.end());
+  }));
+  world.commit();
+  save(file, world);
+  EXPECT_TRUE(samePolygons(loaded(file), whole));
+  ASSERT_TRUE(world.clear({{-32, -32}, {-1, -1}}));
+  world.commit();
+  save(file, world);
+  EXPECT_EQ(file.chunks().size(), 3U) << "what was emptied is gone, and what was unloaded is not";
+  EXPECT_FALSE(file.load(world, kAll)) << "its ground is not in memory";
+  ASSERT_TRUE(world.reload(left));
+  world.commit();
+  EXPECT_TRUE(samePolygons(loaded(file), world));
+}
+
 TEST(WorldFile, HoldsTheGroundChunkByChunk) {
   const auto path = freshPath();
   World world;

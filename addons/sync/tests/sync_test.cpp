@@ -218,6 +218,30 @@ TEST(SyncByHand, WhoComesLateGetsAllOfIt) {
             << talk.largest << '\n';
 }
 
+TEST(SyncByHand, WhatIsUnloadedIsNotGone) {
+  World ours = rampsOf(60), theirs = ours;
+  const World whole = ours;
+  Talk talk(ours, theirs);
+  const auto tell = [&] {
+    ours.commit();
+    talk.hear(talk.server.update());
+  };
+  std::vector<std::byte> left;
+  ASSERT_TRUE(ours.unload({{0, 0}, {31, 31}},
+                          [&](Cell, std::span<const std::byte> bytes) { left.assign(bytes.begin(), bytes.end()); }));
+  tell();
+  EXPECT_TRUE(talk.client.isInStep());
+  EXPECT_TRUE(samePolygons(theirs, whole));
+  EXPECT_FALSE(talk.server.answer(bytesOf(in_step::Question{in_step::Question::Kind::ground, {0, {0, 0}}})));
+  ASSERT_TRUE(ours.clear(Cell{40, 40}));
+  tell();
+  EXPECT_TRUE(talk.client.isInStep());
+  ASSERT_TRUE(ours.reload(left));
+  tell();
+  EXPECT_TRUE(talk.client.isInStep());
+  EXPECT_TRUE(samePolygons(theirs, ours));
+}
+
 TEST(SyncByHand, WhoFollowsGetsEditsAndNothingElse) {
   World ours = rampsOf(40), theirs = ours;
   Talk talk(ours, theirs);

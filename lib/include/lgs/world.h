@@ -289,8 +289,8 @@ class World {
   /// edits since the mark.
   Expected<std::vector<Cell>> editedSince(Mark mark) const noexcept;
 
-  /// Lets go of a mark. Other marks stay. Refused: unknownMark. Cost: in all, O(log n) for each cell and segment that
-  /// is kept to go back.
+  /// Lets go of a mark. Other marks stay. Refused: unknownMark, also for a mark ahead, and for one that was ahead when
+  /// something was edited. Cost: in all, O(log n) for each cell and segment that is kept to go back.
   Expected<void> forget(Mark mark) noexcept;
 
   // --- Leaving places -----------------------------------------------------------------------------------------------

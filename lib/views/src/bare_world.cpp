@@ -1,5 +1,7 @@
 #include "bare_world.h"
 
+#include "beyond.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
@@ -22,13 +24,24 @@ void expect(bool done) {
 }  // namespace
 
 BareWorld::BareWorld(const World& world) {
+  for (const CellRect& chunk : unloadedChunks(world)) {
+    const auto square = world_.shape(kUnitSquare);
+    expect(square && world_.fill(chunk, *square, 0) && world_.unload(chunk, {}));
+  }
   world.forEachPolygon(
       [this](Cell cell, const PlacedPolygon& p) { expect(world_.add(cell, p.vertices, p.block).has_value()); });
   world_.commit();
 }
 
 const Changes& BareWorld::follow(const World& world) {
+  std::vector<CellRect> left;
   for (const CellChange& change : world.cellChanges()) {
+    const CellRect chunk = chunkWith(change.cell);
+    if (isUnloaded(world, change.cell)) {
+      if (left.empty() || left.back().min != chunk.min) left.push_back(chunk);
+      continue;
+    }
+    expect(world_.reloadEmpty(chunk).has_value());
     world_.polygons(change.cell, held_);
     gone_.clear();
     come_.clear();
@@ -38,6 +51,7 @@ const Changes& BareWorld::follow(const World& world) {
       if (!isAmong(held_, p.vertices)) come_.push_back({p.vertices, p.block});
     expect(world_.exchange(change.cell, gone_, come_).has_value());
   }
+  for (const CellRect& chunk : left) expect(world_.unload(chunk, {}).has_value());
   return world_.commit();
 }
 

@@ -1,4 +1,5 @@
-// The ground of a world with a preserve relation once more, in a world without one.
+// The ground of a world with a preserve relation once more, in a world without one. The same chunks are unloaded: of those
+// that were before it began nobody sees what they hold, so they count as solid.
 #pragma once
 
 #include <lgs/world.h>

@@ -76,8 +76,17 @@ void GroundHashes::update(std::span<const CellChange> changes) noexcept {
   }
 }
 
+void GroundHashes::set(Cell chunk, std::uint64_t hash) noexcept {
+  const Cell cell{inRange(chunk.i), inRange(chunk.j)};
+  const std::vector<HashedSquare> now = hashes({cell, cell});
+  add(cell, hash - (now.empty() ? 0 : now.front().hash));
+}
+
 void GroundHashes::add(Cell cell, const PlacedPolygon& polygon, bool comes) {
-  const std::uint64_t hash = comes ? hashOf(cell, polygon) : 0 - hashOf(cell, polygon);
+  add(cell, comes ? hashOf(cell, polygon) : 0 - hashOf(cell, polygon));
+}
+
+void GroundHashes::add(Cell cell, std::uint64_t hash) {
   hash_ += hash;
   addTo(kWorld, kTopLevel, placeOf(cell, 0), hash);
 }

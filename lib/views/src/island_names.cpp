@@ -19,7 +19,7 @@ bool isLarger(const LoopFacts& a, const LoopFacts& b) {
 
 }  // namespace
 
-void IslandView::nameAll(const World& world, const Loops& loops) {
+void IslandView::nameAll(const World& world, const Loops& loops, Kin::Node beyond) {
   detail::sort(olds_, [](const Old& a, const Old& b) {
     return a.kin != b.kin ? a.kin < b.kin : isLarger(a.facts.outer, b.facts.outer);
   });
@@ -41,9 +41,10 @@ void IslandView::nameAll(const World& world, const Loops& loops) {
   for (const Kin::Node kin : kins) {
     const std::span<Old> olds = ofKin(olds_, kin, &Old::kin);
     const std::span<New> news = ofKin(news_, kin, &New::kin);
-    nameKin(olds, news);
-    if (isAnchor_) countAnchors(world, loops, olds, news);
-    tellKin(loops, olds, news);
+    const bool isBeyond = kin == beyond;
+    nameKin(olds, news, isBeyond);
+    if (isAnchor_) countAnchors(world, loops, olds, news, isBeyond);
+    tellKin(loops, olds, news, isBeyond);
   }
   for (auto* ids : {&changes_.came, &changes_.went, &changes_.changed}) detail::sort(*ids);
   for (auto* pairs : {&changes_.cutOff, &changes_.joined}) detail::sort(*pairs);
@@ -55,21 +56,27 @@ const IslandView::Old* IslandView::oldOf(LoopId outer) const {
   return of(outer) ? &olds_[islands_[of(outer).value].old] : nullptr;
 }
 
-/// The largest inherits from the largest. The others keep what their loops had.
-void IslandView::nameKin(std::span<const Old> olds, std::span<New> news) {
+/// The largest inherits from the largest; what is beyond is larger than all. The others keep what their loops had.
+void IslandView::nameKin(std::span<const Old> olds, std::span<New> news, bool isBeyond) {
   for (New& now : news) {
-    if (&now == news.data())
+    if (&now == news.data() && !isBeyond)
       now.old = olds.empty() ? nullptr : olds.data();
-    else if (const Old* own = oldOf(now.outer.id); own != news.front().old)
+    else if (const Old* own = oldOf(now.outer.id); isBeyond || own != news.front().old)
       now.old = own;
     now.id = now.old ? now.old->facts.id : newId();
   }
 }
 
 /// The kin keeps its anchors, but for those that came and went: of these the largest has the sum so far. All but the
-/// largest are counted.
-void IslandView::countAnchors(const World& world, const Loops& loops, std::span<const Old> olds, std::span<New> news) {
+/// largest are counted. How many there are beyond the edge of memory nobody knows, so what comes from there is counted
+/// as well.
+void IslandView::countAnchors(const World& world, const Loops& loops, std::span<const Old> olds, std::span<New> news,
+                              bool isBeyond) {
   if (news.empty()) return;
+  if (isBeyond || (olds.empty() && !away_.empty())) {
+    for (New& now : news) now.anchors = anchorsIn(world, loops, now.outer.id);
+    return;
+  }
   std::uint64_t sum = news.front().anchors;
   for (const Old& old : olds) sum += old.facts.anchors;
   for (New& now : news.subspan(1)) {
@@ -79,7 +86,7 @@ void IslandView::countAnchors(const World& world, const Loops& loops, std::span<
   news.front().anchors = sum;
 }
 
-void IslandView::tellKin(const Loops& loops, std::span<const Old> olds, std::span<const New> news) {
+void IslandView::tellKin(const Loops& loops, std::span<const Old> olds, std::span<const New> news, bool isBeyond) {
   for (const Old& old : olds) {
     islands_[old.facts.id.value] = {};
     ofLoop_[old.facts.outer.id.value] = {};
@@ -89,16 +96,16 @@ void IslandView::tellKin(const Loops& loops, std::span<const Old> olds, std::spa
     if (isIsland(old.facts.id)) continue;
     changes_.before.push_back(old.facts);
     ended_.push_back(old.facts.id);
-    if (news.empty())
-      changes_.went.push_back(old.facts.id);
+    if (isBeyond || !news.empty())
+      changes_.joined.push_back({old.facts.id, isBeyond ? kBeyond : news.front().id});
     else
-      changes_.joined.push_back({old.facts.id, news.front().id});
+      changes_.went.push_back(old.facts.id);
   }
   for (const New& now : news) {
-    if (olds.empty()) {
+    if (olds.empty() && !isBeyond) {
       changes_.came.push_back(now.id);
     } else if (!now.old) {
-      changes_.cutOff.push_back({news.front().id, now.id});
+      changes_.cutOff.push_back({isBeyond ? kBeyond : news.front().id, now.id});
     } else if (now.old->facts.outer.id != now.outer.id || now.old->facts.anchors != now.anchors ||
                std::ranges::binary_search(loops.changes().changed, now.outer.id)) {
       changes_.changed.push_back(now.id);

@@ -1,6 +1,7 @@
 // The islands of a world. island_view.cpp finds out which are kin, island_names.cpp gives them their ids.
 #pragma once
 
+#include "beyond.h"
 #include "kin.h"
 #include "walk.h"
 
@@ -8,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -24,7 +26,9 @@ class IslandView {
   const IslandChanges& changes() const { return changes_; }
   bool isIsland(IslandId id) const { return id.value < islands_.size() && islands_[id.value].outer; }
   std::optional<IslandFacts> facts(const Loops& loops, IslandId id) const;
-  IslandId of(LoopId outer) const { return outer.value < ofLoop_.size() ? ofLoop_[outer.value] : IslandId{}; }
+  IslandId of(LoopId outer) const { return isOpen(outer) ? kBeyond : islandOf(outer); }
+  /// As a locator names the island of a polygon.
+  IslandId ofLocated(LoopId outer) const { return outer || away_.empty() ? of(outer) : kBeyond; }
   std::vector<IslandId> all() const;
   std::uint64_t walked() const { return walk_.walked(); }
 
@@ -56,17 +60,27 @@ class IslandView {
     Kin::Node kin;
     std::int64_t by;
   };
+  /// What became of a chunk.
+  enum class Turn : std::uint8_t { stays, left, came };
 
   void begin();
   void readCells(const World& world);
-  void readCell(const CellChange& change);
+  void readCell(const CellChange& change, Turn turn);
+  Turn turnOf(const World& world, Cell cell);
+  std::vector<LoopId> changedOuters(const Loops& loops) const;
+  void findOpen(const World& world, const Loops& loops, std::span<const LoopId> outers);
+  void uniteBeyond(const World& world, const Loops& loops, Kin& kin) const;
+  IslandId islandOf(LoopId outer) const { return outer.value < ofLoop_.size() ? ofLoop_[outer.value] : IslandId{}; }
+  bool isOpen(LoopId outer) const { return open_.contains(outer); }
   bool isAnchor(const PlacedPolygon& p, Cell cell) const { return isAnchor_ && isAnchor_(p.block, cell); }
-  void collect(const Loops& loops, Kin& kin);
-  void nameAll(const World& world, const Loops& loops);
+  void collect(const World& world, const Loops& loops, std::span<const LoopId> outers, Kin& kin);
+  void nameAll(const World& world, const Loops& loops, Kin::Node beyond);
   const Old* oldOf(LoopId outer) const;
-  void nameKin(std::span<const Old> olds, std::span<New> news);
-  void countAnchors(const World& world, const Loops& loops, std::span<const Old> olds, std::span<New> news);
-  void tellKin(const Loops& loops, std::span<const Old> olds, std::span<const New> news);
+  void nameKin(std::span<const Old> olds, std::span<New> news, bool isBeyond);
+  void countAnchors(const World& world, const Loops& loops, std::span<const Old> olds, std::span<New> news,
+                    bool isBeyond);
+  void tellKin(const Loops& loops, std::span<const Old> olds, std::span<const New> news, bool isBeyond);
+  const std::vector<Standing>& walk(const World& world, const Loops& loops, LoopId outer);
   std::uint64_t anchorsIn(const World& world, const Loops& loops, LoopId outer);
   void set(IslandId id, LoopId outer, std::uint64_t anchors);
   IslandId newId();
@@ -78,9 +92,15 @@ class IslandView {
   std::vector<IslandId> ended_;                           ///< by the last update: free with the next one
   IslandChanges changes_;
   Walk walk_;
+  std::set<Cell> away_;    ///< unloaded chunks that are known, by their lower-left cells
+  std::set<LoopId> wide_;  ///< outer loops that a chunk may lie in
+  std::set<LoopId> open_;  ///< those of them whose islands reach an unloaded chunk
   // Working memory of an update.
   std::vector<Taken> taken_;
-  bool hasAdded_ = false;  ///< whether polygons were added
+  std::vector<CellRect> left_, back_;  ///< chunks that were unloaded, and that were loaded again
+  std::vector<std::size_t> came_;      ///< which changes of cells are of the latter
+  std::set<LoopId> wasOpen_;           ///< open_ of before
+  bool hasAdded_ = false;              ///< whether polygons were added
   std::vector<Shift> shifts_;
   std::vector<KinShift> kinShifts_;
   std::vector<Old> olds_;

@@ -41,9 +41,9 @@ std::optional<IslandFacts> Islands::island(IslandId id) const noexcept {
 }
 IslandId Islands::of(const World& world, PolygonHandle polygon) const noexcept {
   const auto found = world.polygon(polygon);
-  if (!found) return {};
+  if (!found) return found.error().code == ErrorCode::unloaded ? kBeyond : IslandId{};
   detail::Locator locator(impl_->loops.outline(world), impl_->loops);
-  return of(locator.ofPolygon(*world.cellOf(polygon), found->vertices));
+  return impl_->view.ofLocated(locator.ofPolygon(*world.cellOf(polygon), found->vertices));
 }
 IslandId Islands::of(LoopId outer) const noexcept { return impl_->view.of(outer); }
 std::vector<IslandId> Islands::all() const noexcept { return impl_->view.all(); }

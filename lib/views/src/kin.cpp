@@ -1,23 +1,13 @@
 #include "kin.h"
 
+#include "beyond.h"
+
 #include <algorithm>
 
 namespace lgs::detail {
-namespace {
-
-/// The cells around one.
-CellRect around(Cell c) {
-  const auto inWorld = [](std::int64_t index) {
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(index, -kMaxCell, kMaxCell));
-  };
-  return {{inWorld(std::int64_t{c.i} - 1), inWorld(std::int64_t{c.j} - 1)},
-          {inWorld(std::int64_t{c.i} + 1), inWorld(std::int64_t{c.j} + 1)}};
-}
-
-}  // namespace
-
-Kin::Kin(const World& world, const World& outline, const Loops& loops, std::span<const Taken> taken)
-    : world_(world), outline_(outline), loops_(loops), locator_(outline, loops), taken_(taken) {
+Kin::Kin(const World& world, const World& outline, const Loops& loops, std::span<const Taken> taken,
+         std::span<const CellRect> back)
+    : world_(world), outline_(outline), loops_(loops), locator_(outline, loops), taken_(taken), back_(back) {
   for (Node node = 0; node < taken.size(); ++node) links_.push_back({node, {}});
 }
 
@@ -47,7 +37,7 @@ void Kin::unite(Node a, Node b) {
 
 template <class Visit>
 void Kin::forTakenNear(Cell cell, Visit&& visit) const {
-  const CellRect cells = around(cell);
+  const CellRect cells = cellsAround(cell);
   for (std::int32_t i = cells.min.i; i <= cells.max.i; ++i) {
     const auto first = std::ranges::lower_bound(taken_, Cell{i, cells.min.j}, {}, &Taken::cell);
     for (auto t = first; t != taken_.end() && t->cell <= Cell{i, cells.max.j}; ++t)
@@ -55,10 +45,26 @@ void Kin::forTakenNear(Cell cell, Visit&& visit) const {
   }
 }
 
+/// Whether a polygon that was taken away touched the square of a chunk that is unloaded, or was: nobody can see now
+/// what it touched there.
+bool Kin::isBesideUnloaded(const Taken& taken) const {
+  if (!isAtRimOfChunk(taken.cell)) return false;
+  const CellRect own = chunkWith(taken.cell), around = cellsAround(taken.cell);
+  for (std::int32_t i = around.min.i; i <= around.max.i; ++i) {
+    for (std::int32_t j = around.min.j; j <= around.max.j; ++j) {
+      const Cell cell{i, j};
+      const auto has = [&](const CellRect& chunk) { return lgs::contains(chunk, cell); };
+      if (has(own) || !(isUnloaded(world_, cell) || std::ranges::any_of(back_, has))) continue;
+      if (touch(taken.ring, ringOf(cell, kUnitSquare))) return true;
+    }
+  }
+  return false;
+}
+
 /// Connects a polygon that was taken away with the loops that it meets.
 void Kin::connect(std::size_t index) {
   const Taken& taken = taken_[index];
-  for (const SegmentId id : outline_.segments(around(taken.cell))) {
+  for (const SegmentId id : outline_.segments(cellsAround(taken.cell))) {
     const Segment s = *outline_.segment(id);
     if (meets(taken.ring, s.start, s.end)) unite(static_cast<Node>(index), nodeOf(loops_.of(id)));
   }
@@ -68,6 +74,9 @@ void Kin::connect(std::size_t index) {
 // know the island yet.
 void Kin::connectAll() {
   for (std::size_t k = 0; k < taken_.size(); ++k) {
+    const bool isAway = taken_[k].isAway;
+    if (isAway || isBesideUnloaded(taken_[k])) unite(static_cast<Node>(k), beyond());
+    if (isAway && !isAtRimOfChunk(taken_[k].cell)) continue;  // around it is nothing but that chunk
     connect(k);
     forTakenNear(taken_[k].cell, [&](std::size_t other) {
       if (other < k && root(static_cast<Node>(k)) != root(static_cast<Node>(other)) &&
@@ -88,9 +97,20 @@ Kin::Node Kin::ofTaken(std::size_t index) {
     return node;
   }
   // It meets no loop. So it lies in the interior of one island, or in the free.
-  const Spot spot = world_.at(taken_[index].ring.front());
-  if (const auto p = world_.polygon(spot.polygon)) unite(node, ofStanding(spot.cell, p->vertices));
+  if (const auto standing = standingAt(taken_[index].ring.front())) unite(node, *standing);
   return node;
+}
+
+/// The node of what stands at a point. Where one of its cells is unloaded World::at() does not look at the others.
+std::optional<Kin::Node> Kin::standingAt(Point point) {
+  const Spot spot = world_.at(point);
+  if (const auto p = world_.polygon(spot.polygon)) return ofStanding(spot.cell, p->vertices);
+  if (spot.where != Spot::Where::unloaded) return std::nullopt;
+  const Cell high = cellAt(point), low = cellAt({point.x - 1, point.y - 1});
+  for (const Cell cell : {high, Cell{low.i, high.j}, Cell{high.i, low.j}, low})
+    for (const PlacedPolygon& p : world_.polygons(cell))
+      if (contains(ringOf(cell, p.vertices), point)) return ofStanding(cell, p.vertices);
+  return std::nullopt;
 }
 
 Kin::Node Kin::at(Point point) {
@@ -99,9 +119,8 @@ Kin::Node Kin::at(Point point) {
     if (!taken && contains(taken_[k].ring, point)) taken = k;
   });
   if (taken) return ofTaken(*taken);
-  const Spot spot = world_.at(point);
-  if (const auto p = world_.polygon(spot.polygon)) return ofStanding(spot.cell, p->vertices);
-  return nodeOf({});  // the world has edits that are not committed
+  if (const auto standing = standingAt(point)) return *standing;
+  return beyond();  // the world has edits that are not committed
 }
 
 std::vector<LoopId> Kin::outers() const {

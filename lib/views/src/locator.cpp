@@ -67,7 +67,8 @@ LoopId Locator::leftWestOf(const Crossing& from) {
       known.last = std::max(known.last, from.i - 1);
       return known.loop;
     }
-    const std::int32_t first = std::max(last - width + 1, -kMaxCell);
+    const std::int32_t west = std::max(last - width + 1, -kMaxCell), unloaded = lastUnloaded(west, last, j);
+    const std::int32_t first = std::max(west, unloaded + 1);
     std::optional<Crossing> best;
     LoopId found;
     const std::vector<SegmentId> here = outline_.segments(CellRect{{first, j}, {last, j}});
@@ -84,9 +85,25 @@ LoopId Locator::leftWestOf(const Crossing& from) {
       if (best->i + 1 < from.i) known = {best->i + 1, from.i - 1, found};
       return found;
     }
+    if (unloaded >= west) {
+      known = {first, from.i - 1, {}};
+      return {};
+    }
     last = first - 1;
   }
   return {};
+}
+
+/// The last cell of a row that is unloaded; one before the first, if none is.
+std::int32_t Locator::lastUnloaded(std::int32_t first, std::int32_t last, std::int32_t j) const {
+  std::int32_t found = first - 1;
+  for (std::int32_t from = first; from <= last;) {
+    const auto unloaded = outline_.firstUnloaded({{from, j}, {last, j}});
+    if (!unloaded) break;
+    found = std::min(unloaded->i | 31, last);
+    from = found + 1;
+  }
+  return found;
 }
 
 /// Where a row beside the westernmost vertex of a hole crosses the hole's first edge from the west. Above the vertex,

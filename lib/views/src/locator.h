@@ -2,6 +2,8 @@
 // the answer. If it is a hole, that hole belongs to the same island, and the search goes on from its westernmost
 // vertex. The ray runs half a unit above a row of lattice points, so it never meets a vertex.
 //
+// A ray that comes to an unloaded chunk, or to a chain that leads into one, ends there: the null loop.
+//
 // A locator remembers where holes led to, and what the last ray of each row came to. So many rays that follow each other
 // cost little more than the longest one. It lives no longer than the loops stay as they are.
 #pragma once
@@ -22,7 +24,8 @@ class Locator {
   Locator(const World& outline, const Loops& loops) : outline_(outline), loops_(loops) {}
 
   /// The outer loop of the island of a polygon, which stands in the outline's world since its last commit. Of another one
-  /// it is any loop, or null.
+  /// it is any loop, or null. Null, if it hangs together with ground in an unloaded chunk, unless its outer loop runs
+  /// around that chunk.
   LoopId ofPolygon(Cell cell, std::span<const LocalPoint> vertices);
 
   /// The outer loop of the island of a loop: itself, if it is one.
@@ -45,6 +48,7 @@ class Locator {
   LoopId throughHoles(LoopId loop, std::vector<LoopId>& passed);
   LoopId leftWestOf(const Crossing& from);
   std::optional<Crossing> wallWestOf(const LoopFacts& hole) const;
+  std::int32_t lastUnloaded(std::int32_t first, std::int32_t last, std::int32_t j) const;
 
   /// Cells that a ray went all through, and the loop through which it left the island then.
   struct Passage {

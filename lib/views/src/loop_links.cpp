@@ -45,12 +45,13 @@ bool LoopView::update(const World& outline, const Changes& lists) {
   cutAll(lists.removed, std::span(segments_).subspan(added));
   dropAll(lists.removed);
   findRests();
+  findOpenEnds();
   putAll(std::span(segments_).first(added));
   for (const Segment& s : segments_) {
     join(s.predecessor.value, s.id.value);
     join(s.id.value, s.successor.value);
   }
-  nameAll();
+  nameAll(lists.added);
   return true;
 }
 
@@ -61,6 +62,7 @@ void LoopView::begin() {
   changes_.split.clear();
   changes_.joined.clear();
   changes_.before.clear();
+  changes_.closed.clear();
   ends_.clear();
   rests_.clear();
   gone_.clear();
@@ -140,6 +142,19 @@ void LoopView::findRests() {
   detail::sort(rests_, [](const Rest& a, const Rest& b) { return a.node < b.node; });
   const auto same = [](const Rest& a, const Rest& b) { return a.node == b.node; };
   rests_.erase(std::unique(rests_.begin(), rests_.end(), same), rests_.end());
+}
+
+/// A chain that led into unloaded ground may close by links alone: where nothing is added, only these name it.
+void LoopView::findOpenEnds() {
+  openEnds_.clear();
+  if (!hasOpen_) return;
+  for (const Segment& s : segments_) {
+    for (const SegmentId id : {s.predecessor, s.id, s.successor}) {
+      if (!treaps_.has(id.value)) continue;
+      const LoopNode& root = treaps_[treaps_.climb(id.value)];
+      if (root.loop == 0 && root.isClosed == 0) openEnds_.push_back(id.value);
+    }
+  }
 }
 
 /// A new segment with the ends of one that is gone goes on for it: it has another owner.

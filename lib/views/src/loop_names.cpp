@@ -37,7 +37,10 @@ void LoopView::load(const World& outline) {
     } while (s && s->id != first);
     const std::uint32_t root = treaps_.build(ids);
     treaps_[root].isClosed = s ? 1 : 0;
-    if (s) newId(root);
+    if (s)
+      newId(root);
+    else
+      hasOpen_ = true;
   }
 }
 
@@ -48,23 +51,26 @@ std::vector<LoopId> LoopView::all() const {
   return out;
 }
 
-void LoopView::nameAll() {
+void LoopView::nameAll(std::span<const SegmentId> added) {
   detail::sort(changes_.before, [](const LoopFacts& a, const LoopFacts& b) { return a.id < b.id; });
   for (Rest& rest : rests_) rest.node = treaps_.climb(rest.node);
   made_.clear();
   for (const Rest& rest : rests_) made_.push_back(rest.node);
-  // New ones; and what led into an unloaded chunk, and closes though nothing of it is new.
-  for (const Segment& s : segments_)
-    if (const std::uint32_t root = treaps_.climb(s.id.value); treaps_[root].loop == 0) made_.push_back(root);
+  for (const SegmentId id : added) made_.push_back(treaps_.climb(id.value));
+  for (std::uint32_t& end : openEnds_) made_.push_back(end = treaps_.climb(end));
   detail::sort(made_);
   made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
   for (const std::uint32_t root : made_) treaps_[root].loop = 0;
   const auto isOpen = [this](std::uint32_t root) { return treaps_[root].isClosed == 0; };
-  std::erase_if(made_, isOpen);  // they lead into unloaded chunks
+  if (std::erase_if(made_, isOpen) > 0) hasOpen_ = true;  // they lead into unloaded chunks
   std::erase_if(rests_, [&](const Rest& rest) { return isOpen(rest.node); });
   findShares();
   findHeirs();
   tell();
+  for (const std::uint32_t root : openEnds_)
+    if (treaps_[root].isClosed != 0) changes_.closed.push_back({treaps_[root].loop});
+  detail::sort(changes_.closed);
+  changes_.closed.erase(std::unique(changes_.closed.begin(), changes_.closed.end()), changes_.closed.end());
 }
 
 void LoopView::findShares() {

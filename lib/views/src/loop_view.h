@@ -54,10 +54,11 @@ class LoopView {
   void setRoot(std::uint32_t root, std::uint32_t loop);
   void dropAll(std::span<const SegmentId> removed);
   void findRests();
+  void findOpenEnds();
   void putAll(std::span<const Segment> added);
   void join(std::uint32_t a, std::uint32_t b);
 
-  void nameAll();
+  void nameAll(std::span<const SegmentId> added);
   void findShares();
   void findHeirs();
   const LoopFacts& before(std::uint32_t loop) const;
@@ -70,11 +71,13 @@ class LoopView {
   std::vector<std::uint32_t> roots_ = std::vector<std::uint32_t>(1);  ///< by LoopId
   std::vector<std::uint32_t> free_;                                   ///< ids that the next loops get
   LoopChanges changes_;
+  bool hasOpen_ = false;  ///< whether there ever was a chain that leads into unloaded ground
   // Working memory of an update.
   std::vector<Segment> segments_;                      ///< that were added, then those that were relinked
   std::vector<SegmentId> removed_, added_, relinked_;  ///< the lists, by id
   std::vector<std::uint32_t> ends_;                    ///< segments on both sides of a cut
   std::vector<Rest> rests_;
+  std::vector<std::uint32_t> openEnds_;  ///< segments of open chains beside a link that may be new
   std::vector<Gone> gone_;
   std::vector<std::uint32_t> made_;  ///< roots of the loops of now that may be others than before
   std::vector<LoopId> named_;        ///< in a pair

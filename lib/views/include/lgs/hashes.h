@@ -60,6 +60,10 @@ class GroundHashes {
   /// for each vertex and cell; a test holds it below 400. It looks at no other cell.
   void update(std::span<const CellChange> changes) noexcept;
 
+  /// From now on the hash of a chunk, by any cell of it in range, is this one: for who keeps hashes of ground that is not
+  /// in memory, or finds that it came back as something else. Cost: O(1).
+  void set(Cell chunk, std::uint64_t hash) noexcept;
+
   /// That of the whole world. Cost: O(1).
   std::uint64_t hash() const noexcept;
 
@@ -97,6 +101,7 @@ class GroundHashes {
   static Place placeOf(Cell cell, int level);
 
   void add(Cell cell, const PlacedPolygon& polygon, bool comes);
+  void add(Cell cell, std::uint64_t hash);
   bool addTo(std::uint32_t node, int level, const Place& chunk, std::uint64_t hash);
   std::uint32_t newNode();
   void collect(std::uint32_t node, std::uint64_t hash, const Place& at, const std::array<Place, 2>& corners, int level,

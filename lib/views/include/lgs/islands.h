@@ -12,9 +12,14 @@
 // island has exactly one outer loop, and a cut shows as one loop that became two, before any look at a cell
 // of the part. An island that lies in a hole of another one is an island by itself.
 //
+// The edge of memory: what lies in unloaded chunks (World::unload()), and whatever hangs together with it as their borders
+// show, is one island, kBeyond. Nobody knows what holds it, so it never falls; it is not among all() and has no facts.
+// When a chunk leaves, the islands there are told as joined with it; when it comes back they are told as cut off from
+// it, and loose() names those that nothing holds. So unload and reload are followed as edits are.
+//
 // The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
-// threads and memory holds here. It is not made for worlds with unloaded chunks (World::unload()): unload none while
-// you follow islands.
+// threads and memory holds here. Under a preserve relation commit before you unload; and chunks that are unloaded when
+// the view begins count as solid, so that what touches their squares is beyond.
 #pragma once
 
 #include <lgs/body.h>
@@ -34,6 +39,9 @@ struct IslandId {
   constexpr explicit operator bool() const { return value != 0; }  ///< whether it is not null
   friend constexpr auto operator<=>(IslandId, IslandId) = default;
 };
+
+/// The island of all ground that is unloaded, or hangs together with such ground.
+inline constexpr IslandId kBeyond{UINT32_MAX};
 
 /// What is known of an island.
 struct IslandFacts {
@@ -61,12 +69,17 @@ struct IslandPair {
 /// Of each kin the island of now with the largest outer area gets the id of that of before with the largest; of equals
 /// it is the one whose `outer.west` is least, then the least LoopId. Each other island keeps its id if its outer loop
 /// keeps its own, and if that id is not taken. All others of now have new ids.
+///
+/// kBeyond is there before and after, and is larger than all others. Its kin is also what was or is in a chunk that was
+/// or is unloaded; and what was taken away and touched the square of such a chunk. (One that holds nothing may count or
+/// not.)
 struct IslandChanges {
-  std::vector<IslandId> came;       ///< new ids of islands without kin before
-  std::vector<IslandId> went;       ///< ids that are no more, of islands without kin now
-  std::vector<IslandId> changed;    ///< ids that stay, of islands with another outer loop or another count of anchors
-  std::vector<IslandPair> cutOff;   ///< `into` is a new id. `from` is the largest of its kin, which keeps an id
-  std::vector<IslandPair> joined;   ///< `from` is an id that is no more. `into` is the largest of its kin
+  std::vector<IslandId> came;     ///< new ids of islands without kin before
+  std::vector<IslandId> went;     ///< ids that are no more, of islands without kin now
+  std::vector<IslandId> changed;  ///< ids that stay, of islands with another outer loop or another count of anchors
+  std::vector<IslandPair>
+      cutOff;  ///< `into` is a new id. `from` is the largest of its kin, which keeps an id; or kBeyond
+  std::vector<IslandPair> joined;   ///< `from` is an id that is no more. `into` is the largest of its kin; or kBeyond
   std::vector<IslandFacts> before;  ///< what all islands were that changed, or that are no more; by id
 };
 
@@ -92,7 +105,8 @@ class Islands {
   /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
   /// polygons were taken away, each with the vertices of these, if that may have cut something off. Of n islands that
   /// came, went or changed it is O(n log n), whichever are kin. Where an island was cut, and there is `isAnchor`, all
-  /// parts but the largest are walked through.
+  /// parts but the largest are walked through. While chunks are unloaded so are all that are cut off from kBeyond; and,
+  /// at each update, those that run around an unloaded chunk.
   ///
   /// To know which island a hole, an anchor that changed, or one that joined is of, a ray passes the cells west of it,
   /// up to where it leaves the island; behind a hole it goes on. One update passes no hole twice, and rays of one
@@ -110,14 +124,14 @@ class Islands {
   std::optional<IslandFacts> island(IslandId id) const noexcept;
 
   /// The island that a polygon in a cell is of, as of the last update; null, if there is no such polygon. Of one that
-  /// was placed since it may be any, or null. Cost: the cells passed to the next segment in the west, and so on, as in
+  /// was placed since it may be any, or null. Of one that is unloaded it is kBeyond. Cost: the cells passed to the next segment in the west, and so on, as in
   /// update().
   IslandId of(const World& world, PolygonHandle polygon) const noexcept;
 
   /// The island of an outer loop; null, if the id names a hole, or nothing.
   IslandId of(LoopId outer) const noexcept;
 
-  /// All islands, by id.
+  /// All islands, by id, but for kBeyond.
   std::vector<IslandId> all() const noexcept;
 
   /// The islands of now that the last update names and that nothing holds, by id: both sides of a cut are looked at,

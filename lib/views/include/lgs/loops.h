@@ -13,8 +13,7 @@
 // have without the relation. It keeps that in a second world of its own, outline(), which takes as much memory again,
 // and each commit is made there as well. Such a world must follow its cells: World::followCells(true).
 //
-// A chain that leads into an unloaded chunk (World::unload()) is no loop as long as it does. Under a preserve relation
-// the second world has no polygons where chunks are unloaded, and its loops close there.
+// A chain that leads into an unloaded chunk (World::unload()) is no loop as long as it does.
 //
 // Every function is noexcept: when memory runs out the program ends. A copy of a world goes on with a copy of its view.
 // Calls that are const are safe beside each other.
@@ -79,6 +78,7 @@ struct LoopChanges {
   /// `from` is an id that is no more. It is named with each loop that has segments of it.
   std::vector<LoopPair> joined;
   std::vector<LoopFacts> before;  ///< what all loops were that changed, or that are no more; by id
+  std::vector<LoopId> closed;     ///< loops of now with segments of chains that led into unloaded ground before
 };
 
 /// The loops of a world. The comment at the top of this file has an example.

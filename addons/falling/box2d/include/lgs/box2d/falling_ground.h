@@ -32,8 +32,8 @@ namespace lgs::box2d {
 
 /// How bodies are made.
 struct FallingOptions {
-  std::function<float(Block)> density;      ///< kg per square metre, 0 or more; empty: 1
-  std::function<Material(Block)> material;  ///< what their shapes are like; empty: Box2D's defaults
+  std::function<float(Block)> density{};      ///< kg per square metre, 0 or more; empty: 1
+  std::function<Material(Block)> material{};  ///< what their shapes are like; empty: Box2D's defaults
 };
 
 /// A body, and the ground that it is. The body's origin is where the ground's origin was.

@@ -64,6 +64,36 @@ inline bool fitsBy(Terrain& terrain, const b2Body* body, b2Vec2 by) {
   return terrain.fits(*body, at);
 }
 
+/// How a body moves: its centre of mass, in metres a second, and radians a second.
+struct Moving {
+  b2Vec2 velocity;
+  float spin;
+};
+inline Moving movingOf(const b2Body* body) { return {body->GetLinearVelocity(), body->GetAngularVelocity()}; }
+inline void setMotion(b2Body* body, Place origin, double cosine, double sine, Moving moving) {
+  body->SetTransform({static_cast<float>(origin.x), static_cast<float>(origin.y)},
+                     static_cast<float>(std::atan2(sine, cosine)));
+  body->SetLinearVelocity(moving.velocity);
+  body->SetAngularVelocity(moving.spin);
+}
+inline b2Vec2 middleOfMass(const b2Body* body) { return body->GetWorldCenter(); }
+inline bool isAwake(const b2Body* body) { return body->IsAwake(); }
+inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
+inline void enable(b2Body* body, bool enabled) { body->SetEnabled(enabled); }
+
+/// Calls a function for each dynamic body that is enabled; or only for those that moved in the last step, at least.
+template <class Call>
+void forEachBody(b2World& physics, const Terrain& /*terrain*/, bool moved, const Call& call) {
+  for (b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext())
+    if (body->GetType() == b2_dynamicBody && body->IsEnabled() && (body->IsAwake() || !moved)) call(body);
+}
+/// Whether a body that was there still is: by its address, so another one may be.
+inline bool isStillThere(b2World& physics, const b2Body* body) {
+  const b2Body* one = physics.GetBodyList();
+  while (one != nullptr && one != body) one = one->GetNext();
+  return one != nullptr;
+}
+
 inline void noteWhereItIs(Terrain& terrain, const b2Body* body) { terrain.moved(*body); }
 inline void destroyBody(b2World& physics, b2Body* body) { physics.DestroyBody(body); }
 

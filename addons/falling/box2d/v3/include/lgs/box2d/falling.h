@@ -71,6 +71,44 @@ inline bool fitsBy(Terrain& terrain, b2BodyId body, b2Vec2 by) {
   return terrain.fits(body, at, b2Body_GetRotation(body));
 }
 
+/// How a body moves: its centre of mass, in metres a second, and radians a second.
+struct Moving {
+  b2Vec2 velocity;
+  float spin;
+};
+inline Moving movingOf(b2BodyId body) { return {b2Body_GetLinearVelocity(body), b2Body_GetAngularVelocity(body)}; }
+inline void setMotion(b2BodyId body, Place origin, double cosine, double sine, Moving moving) {
+  Position at{};
+  at.x = static_cast<decltype(at.x)>(origin.x);
+  at.y = static_cast<decltype(at.y)>(origin.y);
+  b2Rot rotation;
+  rotation.c = static_cast<float>(cosine);
+  rotation.s = static_cast<float>(sine);
+  b2Body_SetTransform(body, at, rotation);
+  b2Body_SetLinearVelocity(body, moving.velocity);
+  b2Body_SetAngularVelocity(body, moving.spin);
+}
+inline Position middleOfMass(b2BodyId body) { return b2Body_GetWorldCenterOfMass(body); }
+inline bool isAwake(b2BodyId body) { return b2Body_IsAwake(body); }
+inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
+inline void enable(b2BodyId body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
+
+/// Calls a function for each dynamic body that is enabled; or only for those that moved in the last step, at least.
+template <class Call>
+void forEachBody(b2WorldId physics, const Terrain& terrain, bool moved, const Call& call) {
+  std::vector<b2BodyId> bodies;
+  if (moved) {
+    const b2BodyEvents events = b2World_GetBodyEvents(physics);
+    for (int k = 0; k < events.moveCount; ++k) bodies.push_back(events.moveEvents[k].bodyId);
+  } else {
+    bodies = terrain.bodiesIn(CellRect{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
+  }
+  for (const b2BodyId body : bodies)
+    if (b2Body_IsValid(body) && b2Body_GetType(body) == b2_dynamicBody && b2Body_IsEnabled(body)) call(body);
+}
+/// Whether a body that was there still is.
+inline bool isStillThere(b2WorldId /*physics*/, b2BodyId body) { return b2Body_IsValid(body); }
+
 inline void noteWhereItIs(Terrain& terrain, b2BodyId body) { terrain.moved(body); }
 inline void destroyBody(b2WorldId /*physics*/, b2BodyId body) { b2DestroyBody(body); }
 

@@ -1,0 +1,132 @@
+// The ground of a game with Box2D 2.4 or 3: <lgs/ground.h> is the manual. Link LocalGridSeg::falling and
+// LocalGridSeg::box2d.
+//
+//   lgs::box2d::Ground ground({.isAnchor = isBedrock}, physics, {.cellSize = 0.5F}, {.density = density});
+//   ground.host().terrain()   // to ask what was hit, and the like; it is synced already
+#pragma once
+
+#include <lgs/box2d/falling.h>
+#include <lgs/ground.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace lgs::box2d {
+
+/// What a Ground asks of Box2D: a terrain, and bodies of what falls.
+class GroundHost {
+ public:
+  using Handle = BodyHandle;  ///< the body of a rock
+
+  /// All of them must outlive it and stay where they are.
+  GroundHost(World& world, Physics physics, TerrainOptions terrain = {}, FallingOptions falling = {})
+      : world_(world),
+        physics_(physics),
+        terrain_(physics, world, std::move(terrain)),
+        falling_(physics, world, terrain_, std::move(falling)) {}
+
+  Terrain& terrain() { return terrain_; }  ///< for questions, and for moved()
+
+  /// Bodies where the ground is not in memory: disabled until it is back.
+  const std::vector<BodyHandle>& away() const { return away_; }
+
+  // What a Ground asks: see NoPhysics.
+
+  static bool isSame(BodyHandle a, BodyHandle b) { return a == b; }
+  void show(const Changes& changes) {
+    if (!terrain_.sync(changes) && !terrain_.isCurrent()) terrain_.resync();
+  }
+  void showAll() {
+    window();
+    terrain_.resync();
+  }
+  BodyHandle make(const Rock& rock) {
+    const BodyHandle body = falling_.add(rock.ground).body;
+    if (body == BodyHandle{}) return body;
+    const double size = cellSize();
+    const Point corner = terrain_.latticePoint({0, 0});
+    const auto metres = [&](double cells, std::int64_t from) {
+      return (cells - static_cast<double>(from) / kUnitsPerCell) * size;
+    };
+    setMotion(body, {metres(rock.placing.origin.x, corner.x), metres(rock.placing.origin.y, corner.y)},
+              rock.placing.cosine, rock.placing.sine,
+              {{static_cast<float>(rock.velocity.x * size), static_cast<float>(rock.velocity.y * size)},
+               static_cast<float>(rock.spin)});
+    noteWhereItIs(terrain_, body);
+    return body;
+  }
+  Rock read(BodyHandle body) {
+    const auto& bodies = falling_.bodies();
+    const auto found = std::ranges::find_if(bodies, [&](const Falling& f) { return f.body == body; });
+    const double size = cellSize();
+    const auto [origin, cosine, sine] = lyingOf(body);
+    const auto [velocity, spin] = movingOf(body);
+    return {found->ground,
+            {cellsAt(origin), cosine, sine},
+            {static_cast<double>(velocity.x) / size, static_cast<double>(velocity.y) / size},
+            static_cast<double>(spin)};
+  }
+  bool rests(BodyHandle body) { return isEnabled(body) && !isAwake(body); }
+  Expected<void> settle(BodyHandle body) { return falling_.settle(body); }
+  void destroy(BodyHandle body) {
+    falling_.forget(body);
+    if (isStillThere(physics_, body)) destroyBody(physics_, body);
+  }
+  /// Bodies come back before the ground that they were in is new: so law 13 holds for them.
+  void window() {
+    std::vector<BodyHandle> back;
+    std::erase_if(away_, [&](BodyHandle body) {
+      const bool isThere = isStillThere(physics_, body);
+      if (isThere && isAway(body)) return false;
+      if (isThere) back.push_back(body);
+      return true;
+    });
+    for (const BodyHandle body : back) {
+      enable(body, true);
+      noteWhereItIs(terrain_, body);
+    }
+    disableAway(false);
+  }
+  void beforeStep() { terrain_.beforeStep(); }
+  void afterStep() {
+    terrain_.afterStep();
+    disableAway(true);
+  }
+
+ private:
+  double cellSize() const {
+    const Point corner = terrain_.latticePoint({0, 0});
+    return static_cast<double>(terrain_.position({corner.x + kUnitsPerCell, corner.y}).x);
+  }
+  DoublePoint cellsAt(const Position& at) const {
+    const Point corner = terrain_.latticePoint({0, 0});
+    return {static_cast<double>(at.x) / cellSize() + static_cast<double>(corner.x) / kUnitsPerCell,
+            static_cast<double>(at.y) / cellSize() + static_cast<double>(corner.y) / kUnitsPerCell};
+  }
+  bool isAway(BodyHandle body) const {
+    const Cell cell = terrain_.cellAt(middleOfMass(body));
+    return inRange(cell) && world_.firstUnloaded({cell, cell});
+  }
+  void disableAway(bool moved) {
+    std::vector<BodyHandle> away;
+    forEachBody(physics_, terrain_, moved, [&](BodyHandle body) {
+      if (isAway(body)) away.push_back(body);
+    });
+    for (const BodyHandle body : away) {
+      enable(body, false);
+      away_.push_back(body);
+    }
+  }
+
+  World& world_;
+  Physics physics_;
+  Terrain terrain_;
+  FallingGround falling_;
+  std::vector<BodyHandle> away_;
+};
+
+/// The comment at the top of <lgs/ground.h> is its manual.
+using Ground = lgs::Ground<GroundHost>;
+
+}  // namespace lgs::box2d

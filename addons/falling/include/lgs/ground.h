@@ -1,0 +1,375 @@
+// The ground of a game, held as one: it is dug, painted and built, what is cut off falls and becomes ground again where it
+// rests, all of that is undone and redone, a window of it is in memory, and all of it is saved, loaded and drawn.
+//
+//   lgs::box2d::Ground ground({.isAnchor = isBedrock, .land = hills}, physics, {.cellSize = 0.5});   // <lgs/box2d/ground.h>
+//   …
+//   ground.window(cellsAround(player));                                    // each frame: costs nothing if it is the same
+//   if (clicked) ground.dig(lgs::circle(mouse, 2 * lgs::kUnitsPerCell));   // a step of undo
+//   if (pressed('Z')) ground.undo();
+//   if (pressed('Y')) ground.redo();
+//   ground.step([&] { physics.Step(1.0F / 60, 8, 3); });
+//   for (const lgs::GroundDrawing& d : ground.draw()) renderer.set(d.cells, d.fills, d.lines);       // what changed
+//
+// lgs::Ground<> is the same without physics: its rocks are values that the game moves (ground_parts.h). It owns the order
+// of calls, the marks, and the bodies that came out of the ground, and nothing else: world(), islands() and host() are
+// there for questions. Whoever edits or commits the world by itself goes around it; edit() takes any edits.
+//
+// The rules that it keeps:
+//
+//  1. A stroke (edit(), dig(), paint(), place()) is one step of undo, with what it cuts off. A stroke that is refused
+//     changes nothing.
+//  2. Matter is neither doubled nor lost. Undo over a take destroys the body and the ground is back; undo over a settle
+//     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
+//  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo. The
+//     next stroke lets them.
+//  4. What reaches the edge of memory is held (kBeyond in islands.h). What is loose when it comes in falls. Undo and redo
+//     go on over chunks that left and came back. New land ends the redo.
+//  5. Bodies where the ground is not in memory are disabled, the game's too, and enabled when it is back.
+//
+// Costs: a stroke as of its edit, commit, the islands and the sync; an undo as of the strokes undone. A Ground stays
+// where it is, and so does what it is made with.
+#pragma once
+
+#include <lgs/ground_parts.h>
+
+#include <algorithm>
+#include <cassert>
+#include <deque>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace lgs {
+
+/// The comment at the top of this file is its manual. `Host` is the physics: NoPhysics says what is asked of it.
+template <class Host = NoPhysics>
+class Ground {
+ public:
+  using Handle = typename Host::Handle;  ///< names the body of a rock
+
+  /// An empty ground. What comes behind the options is given to the host, after the world.
+  template <class... OfHost>
+  explicit Ground(GroundOptions options, OfHost&&... ofHost)
+      : options_(std::move(options)),
+        world_(options_.preserve),
+        host_(world_, std::forward<OfHost>(ofHost)...),
+        islands_(world_, options_.isAnchor) {
+    begin();
+  }
+  Ground(const Ground&) = delete;
+  Ground& operator=(const Ground&) = delete;
+
+  // --- Strokes
+
+  /// Frees a region. Refused: as by carve(); so is what reaches out of the window.
+  Expected<void> dig(const Region& region) {
+    return edit([&](World& world) { return carve(world, region, options_.staying); });
+  }
+  /// Paints a region. Refused: as by lgs::paint().
+  Expected<void> paint(const Region& region, Block block, PaintMode mode = PaintMode::fill) {
+    return edit([&](World& world) { return lgs::paint(world, region, block, mode, options_.staying); });
+  }
+  /// Places a polygon in a cell. Refused: as by World::add().
+  Expected<void> place(Cell cell, std::span<const LocalPoint> polygon, Block block) {
+    return edit([&](World& world) { return world.add(cell, polygon, block); });
+  }
+  /// Any edits, as one stroke: make(world) returns an Expected, and if that is an error nothing is changed.
+  template <class Edit>
+  Expected<void> edit(const Edit& make) {
+    Transaction group = world_.edit();
+    if (const auto done = make(world_); !done) return tl::unexpected(done.error());
+    group.keep();
+    dropFuture();
+    commit();
+    marks_.push_back(world_.checkpoint());
+    ++now_;
+    if (marks_.size() > options_.undoSteps + 1) forgetOldest();
+    return {};
+  }
+
+  bool canUndo() const { return now_ > oldest_; }
+  bool canRedo() const { return now_ + 1 < oldest_ + static_cast<std::int64_t>(marks_.size()); }
+  /// Takes the last stroke back, and what fell or settled since. Whether there was one.
+  bool undo() { return canUndo() && go(now_ - 1); }
+  /// Makes it again. Whether there was one.
+  bool redo() { return canRedo() && go(now_ + 1); }
+  /// Lets go of all steps of undo, as after the game built a level.
+  void forgetUndo() {
+    dropFuture();
+    while (canUndo()) forgetOldest();
+  }
+
+  // --- Time
+
+  /// A step of the physics. Then at most one rock that rests becomes ground.
+  template <class Step>
+  void step(const Step& step) {
+    host_.beforeStep();
+    step();
+    host_.afterStep();
+    if (!canRedo()) settleNext();
+  }
+
+  // --- Space
+
+  /// The chunks with a cell of a rectangle are in memory from now on, and no others; until it is called the first time,
+  /// all are. With GroundOptions::land there is land there, and one chunk further. False, if the shelf did not give a
+  /// chunk, or other bytes: it stays away, and the next call tries again. Cost: O(1) if the chunks are the same.
+  bool window(const CellRect& cells) {
+    const CellRect chunks{chunkAround(cells.min).min, chunkAround(cells.max).max};
+    if (chunks == window_) return true;
+    window_ = chunks;
+    makeLand();
+    unloadOutside(world_, window_, options_.shelf);
+    const bool isAll = reloadInside(world_, window_, options_.shelf);
+    if (!isAll) window_ = {{0, 0}, {-1, -1}};
+    host_.window();
+    commit();
+    return isAll;
+  }
+
+  // --- Saving
+
+  /// All ground, in memory or on the shelf, and all rocks; no steps of undo. Refused: unloaded, where the shelf did not
+  /// give a chunk. Cost: a copy of what is in memory, and each chunk on the shelf once.
+  Expected<void> save(const ByteSink& sink) {
+    return saveGround(world_, options_.shelf, rocksAsValues(), {made_.begin(), made_.end()}, sink);
+  }
+  /// What was saved takes the place of all that is there. What hangs in the air falls. False, and nothing is changed, if
+  /// these are not the bytes of a save: cut, damaged or made up ones are.
+  bool load(std::span<const std::byte> bytes) {
+    auto loaded = loadGround(bytes, options_.preserve, window_, options_.shelf);
+    if (!loaded) return false;
+    for (const Fallen& f : fallen_)
+      if (f.isInAir) destroy(f);
+    fallen_.clear();
+    for (Rock& rock : loaded->rocks) fallen_.push_back({std::move(rock), {}, -1});
+    made_ = {loaded->land.begin(), loaded->land.end()};
+    newLand_.clear();
+    squares_.note(world_);
+    world_ = std::move(loaded->world);
+    squares_.note(world_);
+    begin();
+    host_.showAll();
+    for (Fallen& f : fallen_) make(f);
+    looksAtAll_ = true;
+    commit();
+    return true;
+  }
+
+  // --- Looking
+
+  /// The squares that look different since the last call, the first time all.
+  std::vector<GroundDrawing> draw() { return squares_.draw(world_); }
+  /// Calls visit(handle, ground) for each rock in the air. A null handle has no body, as all of it is too thin.
+  template <class Visit>
+  void forEachRock(const Visit& visit) const {
+    for (const Fallen& f : fallen_)
+      if (f.isInAir) visit(f.handle, f.rock.ground);
+  }
+  /// Puts a rock into the ground now, as it lies. Refused: staleHandle; as by the host's settle().
+  Expected<void> settle(Handle handle) {
+    const auto found =
+        std::ranges::find_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
+    if (found == fallen_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
+    return settle(*found);
+  }
+  /// For a rock whose body the game destroyed or keeps: it is not the ground's any more.
+  void forget(Handle handle) {
+    std::erase_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
+  }
+
+  const World& world() const { return world_; }        ///< for questions
+  const Islands& islands() const { return islands_; }  ///< for questions
+  Host& host() { return host_; }                       ///< the physics, with the terrain
+
+ private:
+  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+
+  /// A rock, and between which marks it is one: it was taken in the stretch after the mark `took`.
+  struct Fallen {
+    Rock rock;
+    Handle handle{};
+    std::int64_t took = 0;
+    std::int64_t settled = kNever;
+    bool isInAir = true;
+    int tries = 0;            ///< how often it did not become ground by itself, or nothing held it then
+    std::uint64_t until = 0;  ///< the step before which it does not try again
+  };
+
+  void begin() {
+    world_.commit();
+    [[maybe_unused]] const auto follows = world_.followCells(true);
+    assert(follows);
+    islands_ = Islands(world_, options_.isAnchor);
+    marks_ = {world_.checkpoint()};
+    oldest_ = now_ = 0;
+  }
+
+  // --- Commits
+
+  void show(const Changes& changes) {
+    host_.show(changes);
+    if (!islands_.update(world_, changes)) islands_ = Islands(world_, options_.isAnchor);
+    for (const CellChange& change : world_.cellChanges()) squares_.note(change.cell);
+    if (options_.follow) options_.follow(world_, changes);
+  }
+  /// With what falls by it.
+  void commit() {
+    show(world_.commit());
+    const std::size_t before = fallen_.size();
+    while (takeLoose()) show(world_.commit());
+    for (std::size_t k = before; k < fallen_.size(); ++k) make(fallen_[k]);
+  }
+  bool takeLoose() {
+    if (!options_.isAnchor) return false;
+    if (canRedo()) {
+      looksAtAll_ = true;
+      return false;
+    }
+    const std::size_t before = fallen_.size();
+    for (const IslandId id : std::exchange(looksAtAll_, false) ? islands_.all() : islands_.loose())
+      if (islands_.island(id)->anchors == 0)
+        if (auto body = take(world_, islands_, id)) fallen_.push_back({atRest(std::move(*body)), {}, now_});
+    return fallen_.size() != before;
+  }
+  static Rock atRest(Body ground) {
+    const DoublePoint at{static_cast<double>(ground.origin.i), static_cast<double>(ground.origin.j)};
+    return {std::move(ground), {.origin = at}};
+  }
+  static bool isNull(Handle handle) { return Host::isSame(handle, Handle{}); }
+  void make(Fallen& f) {
+    f.handle = host_.make(f.rock);
+    f.isInAir = true;
+  }
+  void destroy(const Fallen& f) {
+    if (!isNull(f.handle)) host_.destroy(f.handle);
+  }
+
+  // --- Settling
+
+  /// The rocks in turn. One that does not fit, or would fall again, tries again later and later.
+  void settleNext() {
+    ++steps_;
+    for (std::size_t k = std::min<std::size_t>(fallen_.size(), 16); k > 0; --k) {
+      Fallen& f = fallen_[next_++ % fallen_.size()];
+      if (!f.isInAir || isNull(f.handle) || steps_ < f.until || !host_.rests(f.handle)) continue;
+      f.until = steps_ + (std::uint64_t{60} << std::min(f.tries++, 6));
+      static_cast<void>(settle(f));
+      return;
+    }
+  }
+  Expected<void> settle(Fallen& f) {
+    f.rock = host_.read(f.handle);
+    if (const auto done = host_.settle(f.handle); !done) return done;
+    f.handle = {};
+    f.isInAir = false;
+    f.settled = now_;
+    f.rock.velocity = {};
+    f.rock.spin = 0;
+    const int tries = f.tries;
+    const std::uint64_t until = f.until;
+    dropFuture();
+    const std::size_t before = fallen_.size();
+    commit();
+    for (std::size_t k = before; k < fallen_.size(); ++k) {  // it would fall again
+      fallen_[k].tries = tries;
+      fallen_[k].until = until;
+    }
+    return {};
+  }
+
+  // --- Undo
+
+  bool go(std::int64_t to) {
+    const Mark mark = marks_[static_cast<std::size_t>(to - oldest_)];
+    const bool went = (to < now_ ? world_.rollBack(mark, Undone::keep) : world_.rollForward(mark)).has_value();
+    if (!went) return false;
+    now_ = to;
+    const auto isThere = [&](const Fallen& f) { return f.took < now_ && f.settled >= now_; };
+    for (Fallen& f : fallen_) {
+      if (!f.isInAir || isThere(f)) continue;
+      destroy(f);
+      f.handle = {};
+      f.isInAir = false;
+      if (f.took >= now_) f.rock = atRest(std::move(f.rock.ground));
+    }
+    show(world_.changesOfRollBack());
+    for (Fallen& f : fallen_)
+      if (!f.isInAir && isThere(f)) make(f);
+    remakeLand();
+    return true;
+  }
+  /// Before an edit: what was undone can not come back, and what was made again stays.
+  void dropFuture() {
+    marks_.resize(static_cast<std::size_t>(now_ - oldest_) + 1);
+    std::erase_if(fallen_, [&](const Fallen& f) { return !f.isInAir && f.took >= now_; });
+    for (Fallen& f : fallen_)
+      if (f.isInAir) f.settled = kNever;
+  }
+  void forgetOldest() {
+    static_cast<void>(world_.forget(marks_.front()));
+    marks_.pop_front();
+    ++oldest_;
+    std::erase_if(fallen_, [&](const Fallen& f) { return !f.isInAir && f.settled < oldest_; });
+    std::erase_if(newLand_, [&](const auto& land) { return land.second < oldest_; });
+  }
+
+  // --- The window
+
+  void makeLand() {
+    if (!options_.land) return;
+    for (const Cell corner : chunksAround(window_))
+      if (made_.insert(corner).second) makeChunk(corner);
+  }
+  void makeChunk(Cell corner) {
+    dropFuture();
+    newLand_.emplace_back(corner, now_);
+    const CellRect chunk = chunkAround(corner);
+    World land(options_.preserve);
+    options_.land(land, chunk);
+    bool isThere = false;
+    static_cast<void>(land.unload(chunk, [&](Cell, std::span<const std::byte> bytes) {
+      isThere = !world_.firstUnloaded(chunk) && world_.reload(bytes);
+    }));
+    if (isThere || !land.firstUnloaded(chunk)) return;
+    // Where an undo went over it there is a chunk, which holds nothing.
+    static_cast<void>(world_.reloadEmpty(chunk));
+    options_.land(world_, chunk);
+  }
+  /// An undo took away land that was made since; nobody has dug there at that time.
+  void remakeLand() {
+    std::vector<Cell> again;
+    for (const auto& [corner, at] : newLand_)
+      if (at >= now_) again.push_back(corner);
+    if (again.empty()) return;
+    std::erase_if(newLand_, [&](const auto& land) { return land.second >= now_; });
+    for (const Cell corner : again) makeChunk(corner);
+    unloadOutside(world_, window_, options_.shelf);
+    commit();
+  }
+  std::vector<Rock> rocksAsValues() {
+    std::vector<Rock> rocks;
+    for (const Fallen& f : fallen_)
+      if (f.isInAir) rocks.push_back(isNull(f.handle) ? f.rock : host_.read(f.handle));
+    return rocks;
+  }
+
+  GroundOptions options_;
+  World world_;
+  Host host_;
+  Islands islands_;
+  std::deque<Mark> marks_;             // after each stroke; those behind now_ are ahead
+  std::int64_t oldest_ = 0, now_ = 0;  // the numbers of the first mark, and of that at or after which the world is
+  std::vector<Fallen> fallen_;         // rocks, of now and of what can be undone or redone
+  std::uint64_t steps_ = 0;            // how often rocks could settle
+  std::size_t next_ = 0;               // which of them looks first whether it can settle
+  bool looksAtAll_ = false;            // something may hang in the air that no update will name
+  CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+  std::set<Cell> made_;                                 // chunks whose land was made
+  std::vector<std::pair<Cell, std::int64_t>> newLand_;  // of these, which an undo may take away, and after which mark
+  ChangedSquares squares_;                              // to be drawn
+};
+
+}  // namespace lgs

@@ -1,0 +1,150 @@
+// What <lgs/ground.h> is made of and told by: options, rocks as values, the shelf, drawings, and what it does where
+// there is no physics engine.
+#pragma once
+
+#include <lgs/brush.h>
+#include <lgs/falling.h>
+#include <lgs/islands.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace lgs {
+
+/// Ground that came loose, and is not ground again: as a value.
+struct Rock {
+  Body ground;             ///< what it is made of
+  Placing placing;         ///< how it lies
+  DoublePoint velocity{};  ///< of its centre of mass, in cells a second
+  double spin = 0;         ///< radians a second, counter-clockwise
+};
+
+/// Where chunks are that are not in memory: a map, a file, a folder. A later put() takes the place of an earlier one.
+struct Shelf {
+  ChunkSink put;  ///< a chunk leaves
+  /// What put() got last for the chunk with this lower-left cell; nothing, if there is none.
+  std::function<std::optional<std::vector<std::byte>>(Cell corner)> get;
+};
+
+/// A shelf in memory.
+[[nodiscard]] Shelf shelfInMemory();
+
+/// How a Ground is made.
+struct GroundOptions {
+  IsAnchor isAnchor;            ///< what holds an island; empty: nothing ever falls
+  PreserveRelation preserve{};  ///< of its world
+  StayingBlocks staying{};      ///< what dig() and paint() go around
+  /// Makes the land of a chunk that nobody has seen yet, with edits inside its cells alone, which hold nothing: the same
+  /// for the same chunk, in whichever world and whenever it is asked. Empty: there is none but what the game edits.
+  std::function<void(World& land, const CellRect& chunk)> land{};
+  Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
+  std::size_t undoSteps = 64;     ///< how many strokes can be undone
+  /// Hears of each commit, roll-back and roll-forward: for further views, or the server of addons/sync. After a load()
+  /// they begin anew, which the game sees to.
+  std::function<void(const World& world, const Changes& changes)> follow{};
+};
+
+/// What there is to draw in a square of cells; nothing, if it became empty. Positions are in cells of the world.
+struct GroundDrawing {
+  /// A polygon of the ground, counter-clockwise.
+  struct Fill {
+    Block block = 0;                   ///< of what it is
+    std::vector<DoublePoint> corners;  ///< at least 3; not always convex
+  };
+  /// A piece of the outline. The solid is on the left.
+  struct Line {
+    Block block = 0;    ///< of what it is
+    DoublePoint start;  ///< from here
+    DoublePoint end;    ///< to there
+  };
+  CellRect cells;           ///< the square, by which a game keeps what it drew
+  std::vector<Fill> fills;  ///< all of them
+  std::vector<Line> lines;  ///< all of them
+};
+
+/// What a square of a world looks like. Cost: in proportion to what is in it.
+[[nodiscard]] GroundDrawing drawingOf(const World& world, const CellRect& cells);
+
+/// Squares that look different since they were drawn.
+class ChangedSquares {
+ public:
+  void note(Cell cell);           ///< a cell changed
+  void note(const World& world);  ///< all of a world did
+  /// Forgets them.
+  [[nodiscard]] std::vector<GroundDrawing> draw(const World& world);
+
+ private:
+  static constexpr std::int32_t kSide = 8;
+  std::set<Cell> corners_;
+};
+
+/// The bytes of a rock, behind what is in `out`.
+void putRock(std::vector<std::byte>& out, const Rock& rock);
+
+/// A rock from the beginning of bytes, which are left out then. Nothing, if these are not the bytes of one. Whether its
+/// polygons are good is seen when it is put somewhere.
+[[nodiscard]] std::optional<Rock> takeRock(std::span<const std::byte>& bytes);
+
+/// The cells of the chunk that a cell is in, as far as they are in range.
+[[nodiscard]] CellRect chunkAround(Cell cell);
+
+/// The lower-left cells of the chunks with a cell of a rectangle, and of those one chunk further.
+[[nodiscard]] std::vector<Cell> chunksAround(const CellRect& cells);
+/// All chunks out of a rectangle of whole chunks leave memory.
+void unloadOutside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept;
+/// Those in it come back; false where the shelf does not give one.
+[[nodiscard]] bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept;
+
+/// What a save of a Ground holds.
+struct LoadedGround {
+  World world;              ///< only the chunks of the window are in memory, the others on the shelf
+  std::vector<Rock> rocks;  ///< those in the air
+  std::vector<Cell> land;   ///< chunks whose land was made, by their lower-left cells
+};
+/// Writes all chunks of a world, those in memory and those on the shelf. See Ground::save().
+Expected<void> saveGround(const World& world, const Shelf& shelf, const std::vector<Rock>& rocks,
+                          const std::vector<Cell>& land, const ByteSink& sink);
+/// Reads that; nothing, if these are not the bytes of a save. See Ground::load().
+[[nodiscard]] std::optional<LoadedGround> loadGround(std::span<const std::byte> bytes, const PreserveRelation& preserve,
+                                                     const CellRect& window, const Shelf& shelf);
+
+/// What a Ground does where there is no physics engine: rocks are values, and the game moves them.
+class NoPhysics {
+ public:
+  using Handle = std::uint32_t;  ///< names a rock, from 1 on; what is value-initialised names none
+
+  /// The world must outlive it and stay where it is.
+  explicit NoPhysics(World& world) noexcept : world_(world) {}
+
+  /// How a rock lies, to be moved; it must be there.
+  Rock& rock(Handle handle) { return rocks_.at(handle); }
+
+  // What a Ground asks of a physics engine; every host has these.
+
+  static bool isSame(Handle a, Handle b) { return a == b; }  ///< whether both name the same body
+  void show(const Changes& /*changes*/) {}                   ///< after each commit and roll-back
+  void showAll() {}                                          ///< after a load
+  Handle make(const Rock& rock);                             ///< a body for a rock; null, if there can be none
+  Rock read(Handle handle) { return rocks_.at(handle); }     ///< where it is now
+  bool rests(Handle /*handle*/) { return false; }            ///< whether it may be ground again by itself
+  /// Puts it into the ground, as an edit; its body goes. Refused: overlap, if it lies on whole cells and something is
+  /// there; as by putAsItLies().
+  Expected<void> settle(Handle handle);
+  void destroy(Handle handle) { rocks_.erase(handle); }  ///< its body goes
+  void window() {}                                       ///< before the sync of chunks that went or came
+  void beforeStep() {}                                   ///< see Ground::step()
+  void afterStep() {}                                    ///< see Ground::step()
+
+ private:
+  World& world_;
+  std::map<Handle, Rock> rocks_;
+  Handle last_ = 0;
+};
+
+}  // namespace lgs

@@ -1,0 +1,197 @@
+#include "beyond_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace lgs::test {
+namespace {
+
+using oracle::ScenePolygon;
+
+Cell chunkOf(Cell cell) { return {cell.i & ~31, cell.j & ~31}; }
+
+/// Unites the sets of polygons that `isOne` is true of, and returns the number of that set; -1, if there is none.
+template <class IsOne>
+std::ptrdiff_t unite(std::vector<std::size_t>& set, const IsOne& isOne) {
+  std::set<std::size_t> numbers;
+  for (std::size_t k = 0; k < set.size(); ++k)
+    if (isOne(k)) numbers.insert(set[k]);
+  if (numbers.empty()) return -1;
+  for (std::size_t& number : set)
+    if (numbers.contains(number)) number = *numbers.begin();
+  return static_cast<std::ptrdiff_t>(*numbers.begin());
+}
+
+bool isLarger(const IslandFacts& a, const IslandFacts& b) {
+  if (a.outer.doubleArea != b.outer.doubleArea) return a.outer.doubleArea > b.outer.doubleArea;
+  return std::tie(a.outer.west, a.outer.id) < std::tie(b.outer.west, b.outer.id);
+}
+
+}  // namespace
+
+std::string BeyondCheck::begin(const World& part, const World& whole, const Islands& islands) {
+  before_ = {};
+  return read(part, whole, islands, before_);
+}
+
+std::string BeyondCheck::update(const World& part, const World& whole, const Islands& islands) {
+  Moment now;
+  if (std::string wrong = read(part, whole, islands, now); !wrong.empty()) return wrong;
+  std::string wrong = compare(islands, now, false);
+  if (!wrong.empty() && compare(islands, now, true).empty()) wrong.clear();
+  before_ = std::move(now);
+  return wrong;
+}
+
+/// Each island of the view is one set of polygons that hang together, and what is beyond is another one.
+std::string BeyondCheck::read(const World& part, const World& whole, const Islands& islands, Moment& out) const {
+  whole.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+    out.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
+    if (part.firstUnloaded({cell, cell})) out.away.insert(chunkOf(cell));
+  });
+  for (const Cell corner : {Cell{-32, -32}, {0, -32}, {-32, 0}, {0, 0}})
+    if (part.firstUnloaded({corner, corner}) && !out.away.contains(corner)) out.empty.insert(corner);
+  const auto isAway = [&](std::size_t k) { return out.away.contains(chunkOf(out.polygons[k].cell)); };
+  std::vector<std::size_t> set = oracle::setsOf(out.polygons);
+  const std::ptrdiff_t beyond = unite(set, isAway);
+  std::map<std::size_t, IslandId> idOf;
+  std::map<IslandId, IslandFacts> expected;
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const ScenePolygon& p = out.polygons[k];
+    const std::string name = fmt::format("the polygon in cell ({}, {}) ", p.cell.i, p.cell.j);
+    const bool isBeyond = static_cast<std::ptrdiff_t>(set[k]) == beyond;
+    IslandId id = kBeyond;
+    if (!isAway(k)) {
+      const auto held = part.polygons(p.cell);
+      const auto same = std::ranges::find_if(
+          held, [&](const PlacedPolygon& q) { return std::ranges::equal(q.vertices, p.vertices); });
+      if (same == held.end()) return name + "is not in memory";
+      id = islands.of(part, same->handle);
+    }
+    out.islandOf.push_back(id);
+    if (isBeyond != (id == kBeyond)) return name + (isBeyond ? "reaches beyond, and is not there" : "is not beyond");
+    if (isBeyond) continue;
+    if (idOf.try_emplace(set[k], id).first->second != id) return name + "is of another island than what it touches";
+    const bool isNew = !expected.contains(id);
+    IslandFacts& facts = expected[id];
+    for (const LocalPoint v : p.vertices) {
+      const Point at = toWorld(p.cell, v);
+      if (isNew && v == p.vertices.front()) facts.outer.min = facts.outer.max = facts.outer.west = at;
+      facts.outer.west = std::min(facts.outer.west, at);
+      facts.outer.min = {std::min(facts.outer.min.x, at.x), std::min(facts.outer.min.y, at.y)};
+      facts.outer.max = {std::max(facts.outer.max.x, at.x), std::max(facts.outer.max.y, at.y)};
+    }
+    if (isAnchor_ && isAnchor_(p.block, p.cell)) ++facts.anchors;
+  }
+  if (idOf.size() != expected.size()) return "two islands have one id";
+  for (const auto& [id, facts] : expected) {
+    const auto is = islands.island(id);
+    if (!is) return fmt::format("island {} is not there", id.value);
+    if (is->outer.west != facts.outer.west || is->outer.min != facts.outer.min || is->outer.max != facts.outer.max)
+      return fmt::format("island {} has another outer loop", id.value);
+    if (is->anchors != facts.anchors)
+      return fmt::format("island {} has {} anchors, not {}", id.value, facts.anchors, is->anchors);
+    out.known[id] = *is;
+  }
+  if (islands.all().size() != out.known.size())
+    return fmt::format("there are {} islands, not {}", out.known.size(), islands.all().size());
+  return {};
+}
+
+std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, bool withEmpty) const {
+  std::set<Cell> away = before_.away;
+  away.insert(now.away.begin(), now.away.end());
+  if (withEmpty) {
+    away.insert(before_.empty.begin(), before_.empty.end());
+    away.insert(now.empty.begin(), now.empty.end());
+  }
+  std::vector<ScenePolygon> all = before_.polygons;
+  all.insert(all.end(), now.polygons.begin(), now.polygons.end());
+  const std::size_t olds = before_.polygons.size();
+  const auto isSame = [](const ScenePolygon& a, const ScenePolygon& b) {
+    return a.cell == b.cell && a.vertices == b.vertices;
+  };
+  // What was taken away and touched the square of a chunk that nobody sees.
+  const auto isBeside = [&](const ScenePolygon& p) {
+    if (std::ranges::any_of(now.polygons, [&](const ScenePolygon& q) { return isSame(p, q); })) return false;
+    for (const std::int32_t j : {-1, 0, 1}) {
+      for (const std::int32_t i : {-1, 0, 1}) {
+        const ScenePolygon square{{p.cell.i + i, p.cell.j + j}, 0, {kUnitSquare.begin(), kUnitSquare.end()}};
+        if (away.contains(chunkOf(square.cell)) && oracle::haveCommonPoint(p, square)) return true;
+      }
+    }
+    return false;
+  };
+  std::vector<std::size_t> set = oracle::setsOf(all);
+  const std::ptrdiff_t beyond =
+      unite(set, [&](std::size_t k) { return away.contains(chunkOf(all[k].cell)) || (k < olds && isBeside(all[k])); });
+  std::map<std::size_t, Kin> sets;
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const IslandId id = k < olds ? before_.islandOf[k] : now.islandOf[k - olds];
+    Kin& kin = sets[set[k]];
+    kin.isBeyond = static_cast<std::ptrdiff_t>(set[k]) == beyond;
+    if (id != kBeyond) (k < olds ? kin.olds : kin.news).insert(id);
+  }
+  std::vector<Kin> out;
+  for (auto& [number, kin] : sets) out.push_back(std::move(kin));
+  return out;
+}
+
+std::string BeyondCheck::compare(const Islands& islands, const Moment& now, bool withEmpty) const {
+  IslandChanges expected;
+  for (const Kin& kin : kinOf(now, withEmpty)) {
+    const auto largest = [](const std::set<IslandId>& ids, const Moment& moment) {
+      return *std::ranges::min_element(
+          ids, [&](IslandId a, IslandId b) { return isLarger(moment.known.at(a), moment.known.at(b)); });
+    };
+    const bool hasFront = !kin.isBeyond && !kin.news.empty();
+    const IslandId front = kin.isBeyond ? kBeyond : hasFront ? largest(kin.news, now) : IslandId{};
+    const IslandId heirOf = !kin.isBeyond && !kin.olds.empty() ? largest(kin.olds, before_) : IslandId{};
+    for (const IslandId id : kin.news) {
+      const IslandFacts& is = now.known.at(id);
+      IslandId old;
+      if (id == front)
+        old = heirOf;
+      else
+        for (const IslandId other : kin.olds)
+          if (before_.known.at(other).outer.id == is.outer.id && (!hasFront || other != heirOf)) old = other;
+      if (old && old != id) return fmt::format("island {} should have the id {}", id.value, old.value);
+      if (!old && before_.known.contains(id)) return fmt::format("island {} should have a new id", id.value);
+      if (!old && kin.olds.empty() && !kin.isBeyond) {
+        expected.came.push_back(id);
+      } else if (!old) {
+        expected.cutOff.push_back({front, id});
+      } else {
+        const IslandFacts& was = before_.known.at(id);
+        if (was.anchors == is.anchors && was.outer.id == is.outer.id &&
+            std::ranges::count(islands.loops().changes().changed, is.outer.id) == 0)
+          continue;
+        expected.changed.push_back(id);
+        expected.before.push_back(was);
+      }
+    }
+    for (const IslandId id : kin.olds) {
+      if (kin.news.contains(id)) continue;
+      expected.before.push_back(before_.known.at(id));
+      if (front)
+        expected.joined.push_back({id, front});
+      else
+        expected.went.push_back(id);
+    }
+  }
+  for (auto* ids : {&expected.came, &expected.went, &expected.changed}) std::ranges::sort(*ids);
+  for (auto* pairs : {&expected.cutOff, &expected.joined}) std::ranges::sort(*pairs);
+  std::ranges::sort(expected.before, {}, &IslandFacts::id);
+  const IslandChanges& changes = islands.changes();
+  if (changes.came != expected.came) return "another list of islands that came";
+  if (changes.went != expected.went) return "another list of islands that went";
+  if (changes.changed != expected.changed) return "another list of islands that changed";
+  if (changes.cutOff != expected.cutOff) return "another list of islands that were cut off";
+  if (changes.joined != expected.joined) return "another list of islands that joined";
+  if (changes.before != expected.before) return "the islands were something else before";
+  return {};
+}
+
+}  // namespace lgs::test
