@@ -11,16 +11,16 @@
 namespace lgs::test {
 namespace {
 
-constexpr Block kBedrock = 2;
+constexpr Block kHeld = 2;
 
-bool isBedrock(Block block, Cell) { return block == kBedrock; }
+bool isHeld(Block block, Cell) { return block == kHeld; }
 
 /// A world of which chunks are unloaded, one with the same ground that has all of them, and a view of the former.
 class Window {
  public:
   explicit Window(PreserveRelation relation = {}) : part_(relation), whole_(relation) {
     EXPECT_TRUE(part_.followCells(true));
-    islands_ = Islands(part_, isBedrock);
+    islands_ = Islands(part_, isHeld);
     EXPECT_EQ(check_.begin(part_, whole_, islands_), "");
   }
 
@@ -55,8 +55,8 @@ class Window {
   std::size_t marks() const { return marks_.size(); }
   /// A view that begins now says the same.
   void begin() {
-    BeyondCheck check(isBedrock);
-    EXPECT_EQ(check.begin(part_, whole_, Islands(part_, isBedrock)), "");
+    BeyondCheck check(isHeld);
+    EXPECT_EQ(check.begin(part_, whole_, Islands(part_, isHeld)), "");
   }
   IslandId at(Cell cell) const {
     const auto polygons = part_.polygons(cell);
@@ -72,7 +72,7 @@ class Window {
   World part_, whole_;
   Shelf shelf_;
   Islands islands_{part_};
-  BeyondCheck check_{isBedrock};
+  BeyondCheck check_{isHeld};
   std::vector<std::pair<Mark, Mark>> marks_;
 };
 
@@ -162,7 +162,7 @@ TEST(BeyondMemoryByHand, AnIslandAroundAnUnloadedChunkIsHeldByIt) {
   window.edit([](World& world) {
     for (const Cell cell : cellsOf({{-1, -1}, {32, 32}}))
       if (!contains(CellRect{{0, 0}, {31, 31}}, cell)) put(world, cell);
-    for (std::int32_t i = 0; i < 4; ++i) put(world, {i, 10}, i == 3 ? kBedrock : 1);
+    for (std::int32_t i = 0; i < 4; ++i) put(world, {i, 10}, i == 3 ? kHeld : 1);
   });
   window.commit();
   EXPECT_EQ(window.islands().island(window.at({-1, -1}))->anchors, 1U);
@@ -191,7 +191,7 @@ TEST(BeyondMemoryByHand, ARockDugOutAlongTheEdgeKeepsItsAnchors) {
   window.edit([](World& world) {
     fill(world, {{0, 0}, {63, 31}});
     removeAll(world, {10, 10});
-    put(world, {10, 10}, kBedrock);
+    put(world, {10, 10}, kHeld);
   });
   window.commit();
   window.unload(chunkAt(1, 0));
