@@ -127,6 +127,7 @@ class Ground : public Cells {
   }
   /// The last part of a commit: frees the Chunk of unloaded chunks with no loaded one beside. Returns their numbers.
   std::vector<std::uint32_t> sleep();
+  bool isSleepy() const { return !sleepy_.empty(); }
 
   std::uint64_t bytes() const;
 

@@ -65,7 +65,8 @@ class History {
     if (ground_.journal.isOn()) [[unlikely]]
       noteCommit();
     ground_.commit();
-    freeSleeping();
+    if (ground_.isSleepy()) [[unlikely]]
+      freeSleeping();
   }
 
   // --- Followers of the ground
