@@ -1,13 +1,13 @@
 // What holds in every world without a preserve relation, whatever led to it (invariants.h); in big worlds too, where no
 // reference can follow.
 #include "invariants.h"
-#include "proptests/support/law.h"
-#include "proptests/support/played.h"
 #include "proptests/support/scale.h"
-#include "proptests/support/traces.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace lgs::test {
 namespace {

@@ -1,13 +1,10 @@
 // Law 12, going forward again: edits that were undone come back as if they had never been undone.
-#include "proptests/support/law.h"
-#include "twins.h"
+#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
-
-#include <ostream>
 
 namespace lgs::test {
+namespace {
 
 class GoingForwardByHand : public testing::Test {
  protected:

@@ -1,6 +1,4 @@
 // World::forget() of a rectangle: empty chunks go, and nobody notices but by handles that are void and by memory.
-#include "proptests/support/law.h"
-#include "proptests/support/must.h"
 #include "twins.h"
 #include "unloaded.h"
 
@@ -9,16 +7,7 @@
 namespace lgs::test {
 namespace {
 
-bool contains(const CellRect& outer, const CellRect& inner) {
-  return outer.min.i <= inner.min.i && outer.min.j <= inner.min.j && inner.max.i <= outer.max.i &&
-         inner.max.j <= outer.max.j;
-}
-
 std::uint32_t chunkOf(PolygonHandle handle) { return handle.cellRef / 1024; }
-
-std::multiset<Seen> segmentsIn(const World& world, const std::vector<SegmentId>& ids) {
-  return seen(world, ids, false);
-}
 
 TEST(LeavingByHand, TakesWhatLiesInTheRectangleAndIsEmpty) {
   World world;

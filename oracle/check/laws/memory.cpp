@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cstddef>
+#include <span>
 
 namespace lgs::oracle {
 namespace {
@@ -13,14 +15,29 @@ constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
 
 // Lists grow in the first rounds. Records of cells come in pages of 2^16 words: what the cells of a chunk that is empty
 // again keep, two words each, fills one after 32 rounds.
-constexpr int kFirst = 3, kFew = 6, kMany = 44;
+constexpr int kFirst = 3, kFew = 4, kMany = 44;
 
 bool makesLists(const Told& told) {
   return told.call.kind == Call::Kind::reloadEmpty && !told.outcome.refusal && told.outcome.count > 0;
 }
 
+// Of chunks that nobody needs only the rim is known: 12 bytes for a run of its 124 cells, and some more.
+std::string wrongSleep(World world) {
+  constexpr std::uint64_t kMost = 124 * 12 + 512;
+  if (!world.unload(kEverywhere, [](Cell, std::span<const std::byte>) {})) return "not all can leave memory";
+  world.commit();
+  const Stats asleep = world.stats();
+  if (!world.forget(kEverywhere)) return "what has left memory can not be forgotten";
+  const Stats left = world.stats();
+  if (left.chunks != 0) return fmt::format("{} chunks that left memory are not forgotten", left.chunks);
+  if (asleep.bytes <= left.bytes + asleep.chunks * kMost) return "";
+  return fmt::format("{} chunks that nobody needs take {} bytes", asleep.chunks, asleep.bytes - left.bytes);
+}
+
 std::string wrongMemory(const Player& player) {
-  const bool isLong = std::ranges::any_of(player.past(), [](const auto& told) { return makesLists(*told); });
+  constexpr std::size_t kLists = 256;  // polygons that come and go in a cell before it needs a list
+  const bool isLong = player.past().size() > kLists &&
+                      std::ranges::any_of(player.past(), [](const auto& told) { return makesLists(*told); });
   const int rounds = isLong ? kMany : kFew;
   World world(relationOf(player.preserve()));
   std::uint64_t first = 0;
@@ -31,6 +48,8 @@ std::string wrongMemory(const Player& player) {
                             : static_cast<void>(caller.makeResolved(told->call));
     world = std::move(caller.world);
     world.commit();
+    if (round == 1)
+      if (std::string wrong = wrongSleep(world); !wrong.empty()) return wrong;
     if (!world.reloadEmpty(kEverywhere) || !world.clear(kEverywhere)) return "what stands can not be taken away";
     world.commit();
     if (!world.forget(kEverywhere)) return "an empty world can not be left";
