@@ -165,15 +165,6 @@ def builds(results):
     return table(["cells", "time a cell", "bytes a cell", "segments a cell", "bytes a segment, above full blocks"], rows)
 
 
-def reads(results):
-    kinds = {"changes": "changes", "segments": "all segments", "loops": "loops", "loops-merged": "loops, merged"}
-    rows = []
-    for world, name in WORLDS.items():
-        found = [results.of(f"read/{kind}/{world}") for kind in kinds]
-        rows.append([name, *(duration(1e9 / row["items_per_second"]) if row else NONE for row in found)])
-    return table(["time a segment", *kinds.values()], rows)
-
-
 def worst(results):
     texts = {
         "new-chunk": "first cell of a chunk (32×32 cells)",
@@ -211,5 +202,5 @@ def summary(results):
     return table(["median", "this library", "its strongest neighbour", "neighbour ÷ this"], rows)
 
 
-ALL = (about, article, recompute, edits, edit_sizes, changes, batches, builds, reads, worst, summary)
+ALL = (about, article, recompute, edits, edit_sizes, changes, batches, builds, worst, summary)
 TABLES = {table_of.__name__: table_of for table_of in ALL}
