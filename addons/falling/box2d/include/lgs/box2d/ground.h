@@ -21,14 +21,13 @@ class GroundHost {
 
   /// All of them must outlive it and stay where they are.
   GroundHost(World& world, Physics physics, TerrainOptions terrain = {}, FallingOptions falling = {})
-      : world_(world),
-        physics_(physics),
+      : physics_(physics),
         terrain_(physics, world, std::move(terrain)),
         falling_(physics, world, terrain_, std::move(falling)) {}
 
   Terrain& terrain() { return terrain_; }  ///< for questions, and for moved()
 
-  /// Bodies where the ground is not in memory: disabled until it is back.
+  /// Bodies outside of the window: disabled until it is there again.
   const std::vector<BodyHandle>& away() const { return away_; }
 
   // What a Ground asks: see NoPhysics.
@@ -38,7 +37,7 @@ class GroundHost {
     if (!terrain_.sync(changes) && !terrain_.isCurrent()) terrain_.resync();
   }
   void showAll() {
-    window();
+    window(window_);
     terrain_.resync();
   }
   BodyHandle make(const Rock& rock) {
@@ -74,7 +73,8 @@ class GroundHost {
     if (isStillThere(physics_, body)) destroyBody(physics_, body);
   }
   /// Bodies come back before the ground that they were in is new: so law 13 holds for them.
-  void window() {
+  void window(const CellRect& cells) {
+    window_ = cells;
     std::vector<BodyHandle> back;
     std::erase_if(away_, [&](BodyHandle body) {
       const bool isThere = isStillThere(physics_, body);
@@ -104,10 +104,7 @@ class GroundHost {
     return {static_cast<double>(at.x) / cellSize() + static_cast<double>(corner.x) / kUnitsPerCell,
             static_cast<double>(at.y) / cellSize() + static_cast<double>(corner.y) / kUnitsPerCell};
   }
-  bool isAway(BodyHandle body) const {
-    const Cell cell = terrain_.cellAt(middleOfMass(body));
-    return inRange(cell) && world_.firstUnloaded({cell, cell});
-  }
+  bool isAway(BodyHandle body) const { return !contains(window_, terrain_.cellAt(middleOfMass(body))); }
   void disableAway(bool moved) {
     std::vector<BodyHandle> away;
     forEachBody(physics_, terrain_, moved, [&](BodyHandle body) {
@@ -119,10 +116,10 @@ class GroundHost {
     }
   }
 
-  World& world_;
   Physics physics_;
   Terrain terrain_;
   FallingGround falling_;
+  CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
   std::vector<BodyHandle> away_;
 };
 
