@@ -88,7 +88,9 @@ class Ground {
     return {};
   }
 
+  /// Whether there is a stroke to take back.
   bool canUndo() const { return now_ > oldest_; }
+  /// Whether there is one to make again.
   bool canRedo() const { return now_ + 1 < oldest_ + static_cast<std::int64_t>(marks_.size()); }
   /// Takes the last stroke back, and what fell or settled since. Whether there was one.
   bool undo() { return canUndo() && go(now_ - 1); }

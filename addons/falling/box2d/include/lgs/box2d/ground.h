@@ -32,14 +32,18 @@ class GroundHost {
 
   // What a Ground asks: see NoPhysics.
 
+  /// Whether both are one body.
   static bool isSame(BodyHandle a, BodyHandle b) { return a == b; }
+  /// Syncs the terrain.
   void show(const Changes& changes) {
     if (!terrain_.sync(changes) && !terrain_.isCurrent()) terrain_.resync();
   }
+  /// After a load: the terrain shows what there is now.
   void showAll() {
     window(window_);
     terrain_.resync();
   }
+  /// A body where a rock is, moving as it does; null, if all of it is too thin.
   BodyHandle make(const Rock& rock) {
     const BodyHandle body = falling_.add(rock.ground).body;
     if (body == BodyHandle{}) return body;
@@ -55,6 +59,7 @@ class GroundHost {
     noteWhereItIs(terrain_, body);
     return body;
   }
+  /// The rock that a body is, where it is now.
   Rock read(BodyHandle body) {
     const auto& bodies = falling_.bodies();
     const auto found = std::ranges::find_if(bodies, [&](const Falling& f) { return f.body == body; });
@@ -66,8 +71,11 @@ class GroundHost {
             {static_cast<double>(velocity.x) / size, static_cast<double>(velocity.y) / size},
             static_cast<double>(spin)};
   }
+  /// Whether it sleeps.
   bool rests(BodyHandle body) { return isEnabled(body) && !isAwake(body); }
+  /// As FallingGround::settle().
   Expected<void> settle(BodyHandle body) { return falling_.settle(body); }
+  /// The body goes.
   void destroy(BodyHandle body) {
     falling_.forget(body);
     if (isStillThere(physics_, body)) destroyBody(physics_, body);
@@ -88,7 +96,9 @@ class GroundHost {
     }
     disableAway(false);
   }
+  /// As that of the terrain.
   void beforeStep() { terrain_.beforeStep(); }
+  /// As that of the terrain; then bodies that left the window are disabled.
   void afterStep() {
     terrain_.afterStep();
     disableAway(true);
