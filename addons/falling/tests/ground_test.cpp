@@ -162,7 +162,7 @@ class Play {
   std::int64_t now_ = 0;
 };
 
-LGS_LAW(Ground, NeitherDoublesNorLosesMatter, 40, (std::uint64_t seed)) {
+LGS_LAW(Ground, NeitherDoublesNorLosesMatter, 20, (std::uint64_t seed)) {
   Play play(seed);
   for (int k = 0; k < 25 && !::testing::Test::HasFailure(); ++k) play.turn();
 }

@@ -24,7 +24,7 @@
 //     next stroke lets them.
 //  4. What reaches the edge of memory is held (kBeyond in islands.h). What is loose when it comes in falls. Undo and redo
 //     go on over chunks that left and came back. New land ends the redo.
-//  5. Bodies where the ground is not in memory are disabled, the game's too, and enabled when it is back.
+//  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 //
 // Costs: a stroke as of its edit, commit, the islands and the sync; an undo as of the strokes undone. A Ground stays
 // where it is, and so does what it is made with.
@@ -88,7 +88,9 @@ class Ground {
     return {};
   }
 
+  /// Whether there is a stroke to take back.
   bool canUndo() const { return now_ > oldest_; }
+  /// Whether there is one to make again.
   bool canRedo() const { return now_ + 1 < oldest_ + static_cast<std::int64_t>(marks_.size()); }
   /// Takes the last stroke back, and what fell or settled since. Whether there was one.
   bool undo() { return canUndo() && go(now_ - 1); }
@@ -124,7 +126,7 @@ class Ground {
     unloadOutside(world_, window_, options_.shelf);
     const bool isAll = reloadInside(world_, window_, options_.shelf);
     if (!isAll) window_ = {{0, 0}, {-1, -1}};
-    host_.window();
+    host_.window(chunks);
     commit();
     return isAll;
   }

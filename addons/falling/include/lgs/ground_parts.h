@@ -137,7 +137,7 @@ class NoPhysics {
   /// there; as by putAsItLies().
   Expected<void> settle(Handle handle);
   void destroy(Handle handle) { rocks_.erase(handle); }  ///< its body goes
-  void window() {}                                       ///< before the sync of chunks that went or came
+  void window(const CellRect& /*cells*/) {}              ///< before the sync: these chunks are in memory, and no others
   void beforeStep() {}                                   ///< see Ground::step()
   void afterStep() {}                                    ///< see Ground::step()
 

@@ -21,26 +21,29 @@ class GroundHost {
 
   /// All of them must outlive it and stay where they are.
   GroundHost(World& world, Physics physics, TerrainOptions terrain = {}, FallingOptions falling = {})
-      : world_(world),
-        physics_(physics),
+      : physics_(physics),
         terrain_(physics, world, std::move(terrain)),
         falling_(physics, world, terrain_, std::move(falling)) {}
 
   Terrain& terrain() { return terrain_; }  ///< for questions, and for moved()
 
-  /// Bodies where the ground is not in memory: disabled until it is back.
+  /// Bodies outside of the window: disabled until it is there again.
   const std::vector<BodyHandle>& away() const { return away_; }
 
   // What a Ground asks: see NoPhysics.
 
+  /// Whether both are one body.
   static bool isSame(BodyHandle a, BodyHandle b) { return a == b; }
+  /// Syncs the terrain.
   void show(const Changes& changes) {
     if (!terrain_.sync(changes) && !terrain_.isCurrent()) terrain_.resync();
   }
+  /// After a load: the terrain shows what there is now.
   void showAll() {
-    window();
+    window(window_);
     terrain_.resync();
   }
+  /// A body where a rock is, moving as it does; null, if all of it is too thin.
   BodyHandle make(const Rock& rock) {
     const BodyHandle body = falling_.add(rock.ground).body;
     if (body == BodyHandle{}) return body;
@@ -56,6 +59,7 @@ class GroundHost {
     noteWhereItIs(terrain_, body);
     return body;
   }
+  /// The rock that a body is, where it is now.
   Rock read(BodyHandle body) {
     const auto& bodies = falling_.bodies();
     const auto found = std::ranges::find_if(bodies, [&](const Falling& f) { return f.body == body; });
@@ -67,14 +71,18 @@ class GroundHost {
             {static_cast<double>(velocity.x) / size, static_cast<double>(velocity.y) / size},
             static_cast<double>(spin)};
   }
+  /// Whether it sleeps.
   bool rests(BodyHandle body) { return isEnabled(body) && !isAwake(body); }
+  /// As FallingGround::settle().
   Expected<void> settle(BodyHandle body) { return falling_.settle(body); }
+  /// The body goes.
   void destroy(BodyHandle body) {
     falling_.forget(body);
     if (isStillThere(physics_, body)) destroyBody(physics_, body);
   }
   /// Bodies come back before the ground that they were in is new: so law 13 holds for them.
-  void window() {
+  void window(const CellRect& cells) {
+    window_ = cells;
     std::vector<BodyHandle> back;
     std::erase_if(away_, [&](BodyHandle body) {
       const bool isThere = isStillThere(physics_, body);
@@ -88,7 +96,9 @@ class GroundHost {
     }
     disableAway(false);
   }
+  /// As that of the terrain.
   void beforeStep() { terrain_.beforeStep(); }
+  /// As that of the terrain; then bodies that left the window are disabled.
   void afterStep() {
     terrain_.afterStep();
     disableAway(true);
@@ -104,10 +114,7 @@ class GroundHost {
     return {static_cast<double>(at.x) / cellSize() + static_cast<double>(corner.x) / kUnitsPerCell,
             static_cast<double>(at.y) / cellSize() + static_cast<double>(corner.y) / kUnitsPerCell};
   }
-  bool isAway(BodyHandle body) const {
-    const Cell cell = terrain_.cellAt(middleOfMass(body));
-    return inRange(cell) && world_.firstUnloaded({cell, cell});
-  }
+  bool isAway(BodyHandle body) const { return !contains(window_, terrain_.cellAt(middleOfMass(body))); }
   void disableAway(bool moved) {
     std::vector<BodyHandle> away;
     forEachBody(physics_, terrain_, moved, [&](BodyHandle body) {
@@ -119,10 +126,10 @@ class GroundHost {
     }
   }
 
-  World& world_;
   Physics physics_;
   Terrain terrain_;
   FallingGround falling_;
+  CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
   std::vector<BodyHandle> away_;
 };
 
