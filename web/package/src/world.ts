@@ -46,12 +46,14 @@ class EngineWorld implements World {
   #relation: number
   readonly #changes: Lists
   readonly #segments: Lists
+  readonly #options: WorldOptions
   #brush = 0
 
   constructor(make: Maker, options: WorldOptions) {
     const { preserve, precision = 'double' } = object('options', '{ preserve, precision }', options)
     if (preserve !== undefined && typeof preserve !== 'function') throw bad('preserve', 'a function', preserve)
     if (precision !== 'double' && precision !== 'float') throw bad('precision', "'double' or 'float'", precision)
+    this.#options = preserve ? { preserve, precision } : { precision }
     this.#engine = engine()
     this.#changes = new Lists(this.#engine, precision)
     this.#segments = new Lists(this.#engine, precision)
@@ -80,6 +82,9 @@ class EngineWorld implements World {
     if (typeof world !== 'object' || world === null || !(#world in world)) throw bad('world', 'a world of createWorld()', world)
     return { engine: (world as EngineWorld).#engine, address: (world as EngineWorld).#live }
   }
+
+  /** What it was made with, for another one like it. */
+  static optionsOf(world: World): WorldOptions { return (world as EngineWorld).#options }
 
   // --- Edits
 
@@ -306,7 +311,7 @@ class EngineWorld implements World {
   [Symbol.dispose](): void { this.free() }
 }
 
-export const placeOf = EngineWorld.placeOf
+export const { placeOf, optionsOf } = EngineWorld
 
 /** An empty world. */
 export function createWorld(options: WorldOptions = {}): World {

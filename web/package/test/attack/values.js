@@ -56,7 +56,7 @@ const ofType = {
   CellRect: [...rects, undefined],
   Changes: (s) => [s.changes, s.old, s.other.changes, { before: s.version(), after: s.version() }, { before: -1, after: s.version(), added: [], removed: [], relinked: [] },
     { before: s.shown, after: s.version(), added: s.old.added, removed: [2 ** 32], relinked: s.old.added }, { before: s.shown, after: s.version() }],
-  Edit: [{ line: 1, kind: 'add', name: 'q', i: 9, j: 0, block: 1, vertices: ramp }, { line: 1, kind: 'remove', name: 'nobody' }, { line: 1, kind: 'commit' }, { kind: 'dance' },
+  Edit: [{ line: 1, kind: 'add', name: 'q', i: 9, j: 0, block: 1, vertices: ramp }, { line: 1, kind: 'remove', goes: { by: 'name', name: 'nobody' } }, { line: 1, kind: 'remove' }, { line: 1, kind: 'many', comes: [7] }, { line: 1, kind: 'repeat', times: 2 }, { line: 1, kind: 'commit' }, { kind: 'dance' },
     { line: 1, kind: 'carve', region: circle(0, 0, 1) }, { line: 1, kind: 'add', name: 'q', i: 9, j: 0, block: -1, vertices: [0] }],
   ErrorCode: ['overlap'],
   FallingOptions: [{}, { density: () => NaN }, { density: () => -1 }, { material: () => null }, { density: mine }],
