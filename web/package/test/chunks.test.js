@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
-import { createWorld, init, Islands, LgsError, unitSquare } from '../dist/islands.js'
-import { Pieces } from '../dist/pieces.js'
+import { createWorld, init, Islands, LgsError, unitSquare } from 'localgridseg/islands'
+import { Pieces } from 'localgridseg/pieces'
 
 before(() => init())
 

@@ -1,14 +1,14 @@
 // What a stranger hands in: of each type of an argument the values that are right, the first one plain, and those that
 // look like them: stale, made up, of another world, one beyond each limit. And what is of no type of ours.
 import { Circle, World as Planck } from 'planck'
-import { circle, createWorld, GroundHashes, LgsError } from '../../dist/index.js'
-import { Islands } from '../../dist/islands.js'
-import { Pieces } from '../../dist/pieces.js'
-import { FallingGround, PlanckTerrain } from '../../dist/planck.js'
-import { Box2dTerrain, FallingGround as Box2dFalling } from '../../dist/box2d3.js'
-import { OutlineLines, GroundMeshes } from '../../dist/draw.js'
-import { parseTrace, TracePlayer } from '../../dist/trace.js'
-import { importMap } from '../../dist/full.js'
+import { circle, createWorld, GroundHashes, LgsError } from 'localgridseg'
+import { Islands } from 'localgridseg/islands'
+import { Pieces } from 'localgridseg/pieces'
+import { FallingGround, PlanckTerrain } from 'localgridseg/planck'
+import { Box2dTerrain, FallingGround as Box2dFalling } from 'localgridseg/box2d3'
+import { OutlineLines, GroundMeshes } from 'localgridseg/draw'
+import { parseTrace, TracePlayer } from 'localgridseg/trace'
+import { importMap } from 'localgridseg/full'
 import { b2, makeBody, makePhysics } from '../box2d3.js'
 
 /** What a getter of a stranger throws. It comes out as it is. */
