@@ -76,7 +76,7 @@ function pairsOf(preserve: readonly (readonly [Block, Block])[]): readonly (read
 }
 
 /** The preserve relation of a trace, for createWorld(); undefined if it has none. */
-export function preserveOf(trace: Trace): ((smaller: Block, greater: Block) => boolean) | undefined {
+export function preserveOf(trace: Pick<Trace, 'preserve'>): ((smaller: Block, greater: Block) => boolean) | undefined {
   const { preserve } = object('trace', 'one of parseTrace()', trace)
   const pairs = new Set(pairsOf(preserve).map(([a, b]) => `${Math.min(a, b)} ${Math.max(a, b)}`))
   if (pairs.size === 0) return undefined

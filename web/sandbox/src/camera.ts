@@ -6,11 +6,11 @@ export class Camera {
   /** CSS pixels per cell. */
   scale = 24
 
-  /** Shows a rectangle of cells as large as it fits; on a narrow pane only its left part, but large enough to see. */
-  fit(x0: number, y0: number, x1: number, y1: number, width: number, height: number, least = 0): void {
+  /** Shows a rectangle of cells as large as it fits; on a narrow pane a part of it alone, but large enough to see. */
+  fit([x0, y0, x1, y1]: readonly [number, number, number, number], width: number, height: number, least = 0, middle?: number): void {
     const scale = Math.min(width / (x1 - x0), height / (y1 - y0))
     this.scale = Math.max(scale, Math.min(least, height / (y1 - y0)))
-    this.x = scale === this.scale ? (x0 + x1) / 2 : x0 + width / this.scale / 2
+    this.x = scale === this.scale ? (x0 + x1) / 2 : (middle ?? x0 + width / this.scale / 2)
     this.y = (y0 + y1) / 2
   }
 

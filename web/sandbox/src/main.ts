@@ -12,6 +12,7 @@ import { onThemeChange } from './theme.js'
 import { polygonTool } from './tools/all.js'
 import { Ui } from './ui.js'
 import { Viewer } from './viewer.js'
+import { Welcome } from './welcome.js'
 
 await init()
 const game = new Game()
@@ -33,10 +34,16 @@ listenToKeys({
   cancel: () => polygonTool.cancel(),
   zoom: (factor) => viewer.zoom(factor),
 })
-viewer.fit()
-await ui.openAddress()
+viewer.showHome()
+const isNew = !(await ui.openAddress())
 loop.start()
 const race = new RaceStage(() => (loop.running = false), () => (loop.running = true))
+// Who knows the page, or was sent to something on it, is shown nothing.
+let welcome: Welcome | null = null
+if (isNew && location.hash === '') {
+  ui.isShowing = true
+  welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
+}
 element('panes').dataset.ready = 'true'
 
 // For tests and for the curious: steps without a clock, and what is going on.
@@ -44,6 +51,7 @@ Object.assign(window, {
   sandbox: {
     game,
     step(count = 1): void {
+      welcome?.end()
       loop.playing = false
       for (let k = 0; k < count; ++k) game.step()
     },
