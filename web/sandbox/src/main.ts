@@ -1,7 +1,6 @@
 // The page: puts the parts together, and the controls to them.
 import { init } from 'localgridseg/islands'
 import { Camera } from './camera.js'
-import { element } from './dom.js'
 import { Game } from './game.js'
 import { listenToKeys } from './keys.js'
 import { Loop } from './loop.js'
@@ -40,11 +39,11 @@ loop.start()
 const race = new RaceStage(() => (loop.running = false), () => (loop.running = true))
 // Who knows the page, or was sent to something on it, is shown nothing.
 let welcome: Welcome | null = null
-if (isNew && location.hash === '') {
+if (isNew && location.hash === '' && !Welcome.wasSeen()) {
   ui.isShowing = true
   welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
 }
-element('panes').dataset.ready = 'true'
+document.body.dataset.ready = 'true'
 
 // For tests and for the curious: steps without a clock, and what is going on.
 Object.assign(window, {

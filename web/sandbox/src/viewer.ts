@@ -11,8 +11,6 @@ import type { Scene } from './scenes/all.js'
 import { settings } from './settings.js'
 import { currentTool } from './tools/all.js'
 
-const readable = 26 // pixels per cell that the first view has at least, where that leaves its height on the screen
-
 export class Viewer {
   readonly layer = new GroundLayer()
   readonly glow = new Glow()
@@ -63,7 +61,7 @@ export class Viewer {
   /** Some cells: left, bottom, right, top. */
   showCells(cells: readonly [number, number, number, number], middle?: number): void {
     const box = this.#panes[0].canvas.getBoundingClientRect()
-    this.camera.fit(cells, box.width, box.height, readable, middle)
+    this.camera.fit(cells, box.width, box.height, middle)
   }
 
   lookAt(x: number, y: number, scale: number): void {

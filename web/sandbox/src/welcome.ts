@@ -12,7 +12,17 @@ const takes = 500
 const next = 1400 // after it has dug
 const longest = 30_000
 
+const seen = 'localgridseg-welcomed'
+
 export class Welcome {
+  static wasSeen(): boolean {
+    try {
+      return localStorage.getItem(seen) !== null
+    } catch {
+      return false // the browser keeps nothing
+    }
+  }
+
   readonly #game: Game
   readonly #viewer: Viewer
   readonly #onEnd: () => void
@@ -35,6 +45,11 @@ export class Welcome {
     if (this.#step === 'digs') this.#brush.up(this.#game)
     this.#step = 'over'
     this.#viewer.invitation = null
+    try {
+      localStorage.setItem(seen, 'yes')
+    } catch {
+      // then it is shown once more
+    }
     this.#onEnd()
   }
 

@@ -23,7 +23,7 @@ export const width = 48
 /** What is seen of it at first: left, bottom, right, top. */
 export const landscapeView = [-14, 0.4, width, 12.8] as const
 /** What a narrow screen has in its middle. */
-export const landscapeMiddle = -1.5
+export const landscapeMiddle = -2.4
 
 // On the left is a cave, where rocks hang from the roof: who digs at their necks sees them fall.
 const roof = 11.25
