@@ -1,11 +1,10 @@
 // Links into the repository, whose address is that of the npm package. A page has data-repository="FILE"; while the
-// package names none that is real, such a link is plain text. A file that is not there ends the build.
+// package names none, such a link is not shown. A file that is not there ends the build.
 import { existsSync } from 'node:fs'
 import { readFile, writeFile } from 'node:fs/promises'
 
 const { repository } = JSON.parse(await readFile(new URL('package/package.json', import.meta.url), 'utf8'))
-const named = repository?.url?.replace(/^git\+|\.git$/g, '')
-const address = named?.includes('.invalid/') ? undefined : named // a name that stands for one to come
+const address = repository?.url.replace(/^git\+|\.git$/g, '')
 
 export async function copyPage(from, to) {
   const text = await readFile(from, 'utf8')

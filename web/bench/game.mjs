@@ -13,7 +13,8 @@ import { EdgeShape, World as Physics } from 'planck'
 import polygonClipping from 'polygon-clipping'
 import ts from 'typescript'
 import { randomNumbers, shapesOf, shapesOfCells, side } from './scenario.mjs'
-import { Native, timed } from './subjects.mjs'
+import { timed } from './package-subject.mjs'
+import { Native } from './subjects.mjs'
 
 const program = process.env.LGS_NATIVE ?? fileURLToPath(new URL('../../build/release/web/bench/lgs_web_native', import.meta.url))
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]

@@ -9,7 +9,7 @@ let browser
 before(async () => (browser = await openBrowser()))
 after(() => browser.close())
 
-const names = ['seams', 'cuts', 'cancel', 'cells', 'fan', 'touch', 'ghosts', 'million', 'rounding', 'proof']
+const names = ['ghosts', 'seams', 'cuts', 'cancel', 'cells', 'fan', 'touch', 'million', 'rounding', 'proof']
 const calm = { context: { viewport: { width: 320, height: 700 }, reducedMotion: 'reduce', colorScheme: 'dark', hasTouch: true, isMobile: true } }
 const says = (page, name) => page.locator(`#${name} output`).textContent()
 const saysSoon = (page, name, pattern) =>

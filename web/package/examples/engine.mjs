@@ -34,12 +34,12 @@ function answer(line) {
     refusals = []
     return lines
   } else {
-    const { edits } = parseTrace(`lgs-trace 1\n${line}`)
+    const [edit] = parseTrace(`lgs-trace 1\n${line}`).edits
     try {
-      playing().apply(edits[0])
+      playing().apply(edit)
     } catch (error) {
       if (!(error instanceof LgsError)) throw error
-      refusals.push(`refused ${edits[0].name} ${error.code}\n`)
+      refusals.push(`refused ${edit.kind === 'add' ? edit.name : edit.goes.name} ${error.code}\n`)
     }
   }
   return ''

@@ -37,6 +37,14 @@ export function object<T extends object>(name: string, wanted: string, value: T)
   return value
 }
 
+/** Options, all of them known: a word that is misspelt would say nothing. */
+export function options<T extends object>(name: string, known: readonly (keyof T & string)[], value: T): T {
+  object(name, `{ ${known.join(', ')} }`, value)
+  const unknown = Object.keys(value).find((key) => !(known as readonly string[]).includes(key))
+  if (unknown !== undefined) throw new LgsError('bad-argument', `${name} has no '${unknown}', but ${known.join(', ')}`)
+  return value
+}
+
 /** A mark: a number that checkpoint() gave. */
 export function whole(name: string, value: number): number {
   if (!Number.isSafeInteger(value) || value < 0) throw bad(name, 'a mark of this world', value)

@@ -15,7 +15,7 @@ const snapshotCodes = [
 ] as const
 
 /**
- * 'bad-argument': a number of the wrong kind, an array of the wrong length. 'not-ready': init() has not ended.
+ * 'bad-argument': a number of the wrong kind, an array of the wrong length. 'not-ready': init() has not ended, or found no code.
  * 'freed': the world was freed. 'stale-list': see SegmentList. 'not-a-copy': lists were posted that are no copy.
  * 'busy': a call from within `preserve`, or an edit of a physics world in its step.
  * 'left-out', 'shown-already', 'not-the-last': a terrain was given changes that do not follow what it shows.

@@ -3,6 +3,7 @@
 // whoever posts it does not post all memory.
 import type { Engine } from './engine.js'
 import { LgsError } from './error.js'
+import { inspect, shown } from './inspect.js'
 import type { Changes, ChangesCopy, Segment, SegmentList } from './types.js'
 
 /** Bytes of a segment's eight numbers: as float, or as double. */
@@ -166,13 +167,11 @@ function* segmentsOf(list: SegmentList): Generator<Segment> {
 
 class View implements SegmentList {
   readonly post = onlyCopiesCanBePosted
-  readonly length: number
   readonly #lists: Lists
   readonly #number: number
   readonly #arrays: Arrays
 
   constructor(lists: Lists, number: number, arrays: Arrays) {
-    this.length = arrays.length
     this.#lists = lists
     this.#number = number
     this.#arrays = arrays
@@ -181,6 +180,7 @@ class View implements SegmentList {
     this.#lists.check(this.#number)
     return this.#arrays
   }
+  get length() { return this.#now.length }
   get id() { return this.#now.id }
   get geometry() { return this.#now.geometry }
   get block() { return this.#now.block }
@@ -189,6 +189,7 @@ class View implements SegmentList {
   get predecessor() { return this.#now.predecessor }
   get successor() { return this.#now.successor }
   [Symbol.iterator]() { return segmentsOf(this) }
+  [inspect](): unknown { return shown('SegmentList', this.#lists.number === this.#number ? new ListCopy(this) : { stale: true }) }
   copy(): SegmentList { return new ListCopy(this, true) }
 }
 
@@ -244,6 +245,11 @@ class ChangesView implements Changes {
   }
   #view(arrays: Arrays): View {
     return new View(this.#lists, this.#number, arrays)
+  }
+  [inspect](): unknown {
+    const { before, after } = this
+    if (this.#lists.number !== this.#number) return shown('Changes', { stale: true, before, after })
+    return shown('Changes', { removed: this.removed, added: this.added, relinked: this.relinked, before, after })
   }
   copy(): ChangesCopy {
     this.#lists.check(this.#number)

@@ -1,11 +1,11 @@
 // Regions for brushes: those of your own, and those that the engine makes, with integers only, so alike everywhere.
-import { bad, finite, flat, int32 } from './check.js'
+import { bad, finite, flat, int32, options } from './check.js'
 import { type Engine, engine } from './engine.js'
 import type { Region, Vertices } from './types.js'
 
 /** The numbers of a region, as lgs::web::inputRegion() reads them. */
 export function putRegion(to: Engine, region: Region): number {
-  const { rings: given, rule = 'nonZero' } = region ?? {}
+  const { rings: given, rule = 'nonZero' } = options('region', ['rings', 'rule'], region)
   if (!Array.isArray(given)) throw bad('region', '{ rings: [vertices, …] }', region)
   if (rule !== 'nonZero' && rule !== 'evenOdd') throw bad('rule', "'nonZero' or 'evenOdd'", rule)
   const rings = Array.from(given as Vertices[], (ring, k) => flat(`rings[${k}]`, ring))  // map() leaves holes

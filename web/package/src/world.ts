@@ -1,7 +1,8 @@
 // The world: each method checks its arguments, calls the engine once, and makes objects of the answer.
-import { bad, flat, int32, object, real, reals, rect, uint32, whole } from './check.js'
+import { bad, flat, int32, options as known, real, reals, rect, uint32, whole } from './check.js'
 import { type Engine, engine } from './engine.js'
 import { LgsError } from './error.js'
+import { inspect, shown } from './inspect.js'
 import { changesOf, Lists, listOf } from './lists.js'
 import { putRegion } from './regions.js'
 import { bytesOf, textOf } from './text.js'
@@ -46,12 +47,14 @@ class EngineWorld implements World {
   #relation: number
   readonly #changes: Lists
   readonly #segments: Lists
+  readonly #options: WorldOptions
   #brush = 0
 
   constructor(make: Maker, options: WorldOptions) {
-    const { preserve, precision = 'double' } = object('options', '{ preserve, precision }', options)
+    const { preserve, precision = 'double' } = known('options', ['preserve', 'precision'], options)
     if (preserve !== undefined && typeof preserve !== 'function') throw bad('preserve', 'a function', preserve)
     if (precision !== 'double' && precision !== 'float') throw bad('precision', "'double' or 'float'", precision)
+    this.#options = preserve ? { preserve, precision } : { precision }
     this.#engine = engine()
     this.#changes = new Lists(this.#engine, precision)
     this.#segments = new Lists(this.#engine, precision)
@@ -80,6 +83,9 @@ class EngineWorld implements World {
     if (typeof world !== 'object' || world === null || !(#world in world)) throw bad('world', 'a world of createWorld()', world)
     return { engine: (world as EngineWorld).#engine, address: (world as EngineWorld).#live }
   }
+
+  /** What it was made with, for another one like it. */
+  static optionsOf(world: World): WorldOptions { return (world as EngineWorld).#options }
 
   // --- Edits
 
@@ -229,7 +235,7 @@ class EngineWorld implements World {
     return { polygon, block, i, j }
   }
   loops(options: { merge?: boolean } = {}): Loop[] {
-    const { merge } = object('options', '{ merge }', options)
+    const { merge } = known('options', ['merge'], options)
     const count = this.#call.loops(this.#live, merge ? 1 : 0)
     const numbers = this.#engine.answer(count)
     const loops: Loop[] = []
@@ -304,9 +310,10 @@ class EngineWorld implements World {
     this.#engine.dropRelation(this.#relation)
   }
   [Symbol.dispose](): void { this.free() }
+  [inspect](): unknown { return shown('World', this.#world === 0 || this.#engine.ended ? { freed: true } : this.stats()) }
 }
 
-export const placeOf = EngineWorld.placeOf
+export const { placeOf, optionsOf } = EngineWorld
 
 /** An empty world. */
 export function createWorld(options: WorldOptions = {}): World {

@@ -1,5 +1,5 @@
 // The attack on the importer, and on worlds that are made of maps.
-import { init } from '../dist/full.js'
+import { init } from 'localgridseg/full'
 
 await init()
 const { attack, doors } = await import('./attack/attack.js')

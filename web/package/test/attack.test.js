@@ -1,7 +1,7 @@
 // The attack on everything but the importer, which is in another module of WebAssembly: attack-maps.test.js.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { init } from '../dist/islands.js'
+import { init } from 'localgridseg/islands'
 
 await init() // before other files load an engine without islands
 const { attack, doors } = await import('./attack/attack.js')

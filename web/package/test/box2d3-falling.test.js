@@ -1,8 +1,8 @@
 // Ground that falls, in box2d3-wasm; what it does with any engine is in falling.js.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { Box2dTerrain, FallingGround } from '../dist/box2d3.js'
-import { init } from '../dist/islands.js'
+import { Box2dTerrain, FallingGround } from 'localgridseg/box2d3'
+import { init } from 'localgridseg/islands'
 import { cutArm, iron, testFalling } from './falling.js'
 
 await init()  // before box2d3.js starts the engine without islands

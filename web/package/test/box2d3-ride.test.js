@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict'
 import { readFile } from 'node:fs/promises'
 import { test } from 'node:test'
-import { Box2dTerrain } from '../dist/box2d3.js'
-import { createWorld, unitSquare } from '../dist/index.js'
-import { parseTrace, TracePlayer } from '../dist/trace.js'
+import { Box2dTerrain } from 'localgridseg/box2d3'
+import { createWorld, unitSquare } from 'localgridseg'
+import { parseTrace, TracePlayer } from 'localgridseg/trace'
 import { b2, floorOf, kicks, makeBody, makePhysics, ride, vec } from './box2d3.js'
 
 const riders = [

@@ -1,6 +1,6 @@
 // What the tests of the terrain for box2d3-wasm have in common: a world of Box2D, bodies, and rides.
 import Box2DFactory from 'box2d3-wasm'
-import { createWorld, init, unitSquare } from '../dist/index.js'
+import { createWorld, init, unitSquare } from 'localgridseg'
 
 await init()
 export const b2 = await Box2DFactory()

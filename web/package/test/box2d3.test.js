@@ -1,8 +1,8 @@
 // The terrain for box2d3-wasm: it follows every edit, wakes bodies, and knows what was hit.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { Box2dTerrain } from '../dist/box2d3.js'
-import { circle, createWorld, unitSquare } from '../dist/index.js'
+import { Box2dTerrain } from 'localgridseg/box2d3'
+import { circle, createWorld, unitSquare } from 'localgridseg'
 import { b2, floorOf, makeBody, makePhysics, ride, vec } from './box2d3.js'
 
 /** The edge of each segment in metres, ghost1, start, end, ghost2; and its friction. */

@@ -22,17 +22,25 @@ export async function browse(root, path, use) {
     }
   }).listen(0, 'localhost')
   await new Promise((done) => server.once('listening', done))
+  try {
+    return await visit(`http://localhost:${server.address().port}/${path}`, use)
+  } finally {
+    server.close()
+  }
+}
+
+/** Opens a page. */
+export async function visit(address, use) {
   const browser = await chromium.launch({ executablePath, args })
   const said = []
   try {
     const page = await browser.newPage()
     page.on('console', (message) => said.push(message.text()))
     page.on('pageerror', (error) => said.push(String(error)))
-    await page.goto(`http://localhost:${server.address().port}/${path}`)
+    await page.goto(address)
     await use(page)
   } finally {
     await browser.close()
-    server.close()
   }
   return said
 }

@@ -1,7 +1,7 @@
 // Bodies of all forms in a physics world, for planck and for box2d3-wasm alike.
 import { Circle, Polygon, World as Planck } from 'planck'
-import { Box2dTerrain } from '../dist/box2d3.js'
-import { PlanckTerrain } from '../dist/planck.js'
+import { Box2dTerrain } from 'localgridseg/box2d3'
+import { PlanckTerrain } from 'localgridseg/planck'
 
 /** The shapes of a figure that is `size` metres long: circles { x, y, radius } and convex polygons. */
 function shapesOf(figure, size) {

@@ -1,8 +1,8 @@
 // The outline as polylines: after each commit the chunks that it returns are exactly those whose lines may differ.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
-import { circle, createWorld, init, unitSquare } from '../dist/index.js'
-import { GroundMeshes, OutlineLines, linesIn, trianglesIn } from '../dist/draw.js'
+import { circle, createWorld, init, unitSquare } from 'localgridseg'
+import { GroundMeshes, OutlineLines, linesIn, trianglesIn } from 'localgridseg/draw'
 
 before(() => init())
 

@@ -2,7 +2,7 @@
 // ground, where it can be dug.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { circle, createWorld, Islands, unitSquare } from '../dist/islands.js'
+import { circle, createWorld, Islands, unitSquare } from 'localgridseg/islands'
 
 export const iron = 7
 const bedrock = 9

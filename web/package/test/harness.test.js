@@ -7,6 +7,7 @@ import { join } from 'node:path'
 import { before, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
+import fc from 'fast-check'
 import { LgsError, createWorld, init } from 'localgridseg'
 import { TracePlayer, dump, parseTrace, preserveOf } from 'localgridseg/trace'
 import { lgs, skip } from './lgs.js'
@@ -23,10 +24,12 @@ async function native(folder, name, text) {
   return readFileSync(out, 'utf8')
 }
 
-/** Runs jobs, as many at a time as there are cores on a small machine. */
+/** Runs jobs, some at a time. Ends when all have ended, and then throws what the first failure threw. */
 async function all(jobs) {
-  const work = async () => { for (let job; (job = jobs.pop()); ) await job() }
+  const failures = []
+  const work = async () => { for (let job; (job = jobs.pop()); ) await job().catch((error) => failures.push(error)) }
   await Promise.all([work(), work(), work()])
+  if (failures.length > 0) throw failures[0]
 }
 
 async function inFolder(use) {
@@ -75,15 +78,56 @@ test('the project\'s traces: those that once showed a bug, those of the docs; wi
       const text = readFileSync(file, 'utf8')
       const trace = parseTrace(text)
       brushes += trace.edits.some((edit) => edit.kind === 'carve' || edit.kind === 'paint')
-      const world = createWorld({ preserve: preserveOf(trace) })
-      const player = new TracePlayer(world)
-      for (const edit of trace.edits) player.apply(edit)
-      world.commit()
-      assert.equal(dump(world), await native(folder, String(k), text), file)
-      world.free()
+      const player = new TracePlayer(createWorld({ preserve: preserveOf(trace) }))
+      player.play(trace)
+      assert.equal(dump(player.world), await native(folder, String(k), text), file)
+      player.world.free()
     }))
     assert.ok(brushes >= 2, `${brushes} with brushes`)
   }))
+
+/** Traces of version 4: any call that the package has, some of them to be refused. */
+const call = (() => {
+  const at = fc.integer({ min: -2, max: 3 }), block = fc.nat(2), nth = fc.nat(3)
+  const pick = (...of) => fc.constantFrom(...of)
+  const text = (format, ...parts) => fc.tuple(...parts).map((values) => format.replace(/%/g, () => values.shift()))
+  const shape = pick('0 0 1 0 1 1 0 1', '0 0 1 0 1 1', '0 0, 1 0, 0 1/2', '0 0.5 1 0.5 1 1 0 1', '0 0 1 1 1 0', 'none', 'id 1', 'id 9')
+  const polygon = shape.map((s) => (s.startsWith('id') ? '0 0 1 1 0 1' : s)), name = pick('a', 'b', 'c')
+  const named = fc.oneof(name, text('%:%#%', at, at, nth), text('given#%', fc.nat(30)))
+  const rect = fc.tuple(at, at, fc.nat(2), fc.nat(2)).map(([i, j, w, h]) => `${i} ${j} ${i + w} ${j + h}`)
+  const chunks = pick('-32 -32 -1 31', '0 0 31 31', '-32 -32 31 31', '-32 0 -1 31')
+  const plain = fc.oneof(
+    text('add % % % % %', fc.oneof(name, pick('-')), at, at, block, polygon), text('place % % % % as %', at, at, block, polygon, name),
+    text('place % % % %', at, at, block, shape), text('replace % % % %', at, at, block, shape),
+    text('many % % % % as % ; % % % %', at, at, block, polygon, name, at, at, block, polygon), text('remove %', named),
+    text('removeMany % %:%#all', named, at, at), text('setBlock % %', named, block), text('fill % % %', rect, block, shape),
+    text('clear %', rect), text('shape %', shape), text('carve % 0.2 3 0.7 1 2.5', at), text('paint % % -1.3 0.1 1.2 % 0.4 2', block, pick('fill', 'replace'), at))
+  const moves = fc.oneof(pick('mark', 'commit', 'commit', 'load'), text('back % %', nth, pick('', 'keep')), text('forward %', nth), text('forget %', nth),
+    text('unload %', chunks), text('reload % %', chunks, nth), text('reloadEmpty %', chunks))
+  const one = fc.oneof({ weight: 3, arbitrary: plain }, { weight: 2, arbitrary: moves })
+  return fc.oneof({ weight: 20, arbitrary: one }, { weight: 1, arbitrary: text('repeat %\n%\n%\ncommit\nend', nth, plain, plain) })
+})()
+
+test('traces of any calls: the outline is that of the native command', { skip }, () =>
+  inFolder(async (folder) => {
+    const traces = fc.sample(fc.array(call, { minLength: 10, maxLength: 60 }), { numRuns: 60, seed: 4 })
+    await all(traces.map((lines, k) => async () => {
+      const text = ['lgs-trace 4', 'preserve 1 2', ...lines, 'reloadEmpty -64 -64 63 63', ''].join('\n')
+      const trace = parseTrace(text), player = new TracePlayer(createWorld({ preserve: preserveOf(trace) }))
+      player.play(trace)
+      assert.equal(dump(player.world), await native(folder, String(k), text), text)
+      player.world.free()
+    }))
+  }))
+
+test('a call that the package has not is refused, with the line and what there is', () => {
+  for (const line of ['group keep', 'copy', 'leave 0 0 1 1', 'exchange 0 0 a', 'place 0 0 1 0 0 1 0 1 1 | 0 0 1 1 0 1', 'remove handle#3:1',
+    'carve 0 0 1 0 1 1 around 3', 'add a 0 0 1 0 0 1 0 1 1 in floats 2', 'place 0 0 1 0 0 1 0 1 1 room 2'])
+    assert.throws(() => parseTrace(`lgs-trace 4\ncommit\n${line}\n`),
+      (error) => error.code === 'bad-trace' && error.line === 3 && /JavaScript has no .*: the lgs command plays this line/.test(error.message), line)
+  for (const [line, text] of [[2, 'repeat 3\ncommit'], [2, 'repeat 1001\nend'], [3, 'repeat 2\nmark\nend'], [2, 'back'], [2, 'remove a#b'], [2, 'clear 0 0 1'], [2, 'commit 1 2'], [2, 'end']])
+    assert.throws(() => parseTrace(`lgs-trace 4\n${text}\n`), (error) => error.code === 'bad-trace' && error.line === line, text)
+})
 
 test('how the edits of a trace are made does not matter', () => {
   const square = '0 0 1 0 1 1 0 1'
@@ -93,7 +137,7 @@ test('how the edits of a trace are made does not matter', () => {
 })
 
 test('a bad line of a trace is named', () => {
-  for (const [line, text] of [[1, 'lgs-trace 4\n'], [1, ''], [2, 'lgs-trace 1\nput a\n'], [3, 'lgs-trace 1\n\nadd a 0 0 1 0 0 1\n'],
+  for (const [line, text] of [[1, 'lgs-trace 5\n'], [1, ''], [2, 'lgs-trace 1\nput a\n'], [3, 'lgs-trace 1\n\nadd a 0 0 1 0 0 1\n'],
     [2, 'lgs-trace 1\nadd a 0 0 1 0 0 1 0 x 1\n'], [2, 'lgs-trace 1\ncarve 0 0 1 0 1 1\n'], [2, 'lgs-trace 1\nadd a 0.5 0 1 0 0 1 0 1 1'],
     [2, 'lgs-trace 1\nadd a 0 0 1 0 0 1/0 0 1 1'], [3, 'lgs-trace 1\ncommit\npreserve 1 2'], [2, 'lgs-trace 2\npaint 1 over 0 0 1 0 1 1']])
     assert.throws(() => parseTrace(text), (error) => error instanceof LgsError && error.code === 'bad-trace' && error.line === line, text)

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
-import { createWorld, GroundHashes, init, loadWorld, unitSquare } from '../dist/index.js'
+import { createWorld, GroundHashes, init, loadWorld, unitSquare } from 'localgridseg'
 
 before(() => init())
 

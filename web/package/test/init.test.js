@@ -32,18 +32,47 @@ test('init({ bytes }), init({ module }), init({ url })', () => {
 test('init({ url }) by HTTP, whatever type the server says', async () => {
   const server = createServer((request, response) => {
     if (request.url === '/lgs.wasm') response.setHeader('content-type', 'text/plain').end(readFileSync(wasm))
+    else if (request.url === '/page') response.setHeader('content-type', 'text/html').end('<!doctype html>')
     else response.writeHead(404).end()
   }).listen(0)
   await new Promise((done) => server.once('listening', done))
   const base = `http://localhost:${server.address().port}`
   const { init, createWorld } = await import('localgridseg')
-  await assert.rejects(init({ url: `${base}/nothing` }), /404/)
+  await assert.rejects(init({ url: `${base}/nothing` }), ({ code, message }) => {
+    assert.equal(code, 'not-ready')
+    return /nothing: 404 Not Found.*optimizeDeps.*init\(\{ url \}\).*localgridseg\/inline/.test(message)
+  })
+  await assert.rejects(init({ url: `${base}/page` }), /page: it is no code of WebAssembly.*optimizeDeps/)
+  await assert.rejects(init({ uri: base }), /options has no 'uri', but url, bytes, module/)
   await init({ url: `${base}/lgs.wasm` })
   createWorld().free()
   server.close()
 })
 test('inline: nothing to find', () => {
   assert.equal(run(`import { init, createWorld, unitSquare } from 'localgridseg/inline'; await init(); ${game}`), '')
+  assert.equal(run(`import { init, createWorld, unitSquare, Islands } from 'localgridseg/inline-islands'; import { Pieces } from 'localgridseg/pieces'
+    await init(); ${game}
+    const other = createWorld()
+    other.add(0, 0, other.shape(unitSquare), 1)
+    other.commit()
+    if (new Islands(other).all().length !== 1 || new Pieces(other).solidPieces(0, 0).length !== 1) throw new Error('no islands')`), '')
+})
+test('small: the code that is compiled for size', () => {
+  assert.equal(run(`import { init, createWorld, unitSquare } from 'localgridseg/small'; await init(); ${game}`), '')
+})
+test('a console shows names, and what lists hold', () => {
+  const text = run(`${imports} await init()
+    const world = createWorld(), square = world.shape(unitSquare)
+    world.add(0, 0, square, 1)
+    const changes = world.commit()
+    console.log(changes, world)
+    world.commit()
+    console.log(changes, changes.added)
+    world.free()
+    console.log(world)`)
+  assert.match(text, /^Changes \{\s+removed: Uint32Array\(0\) \[\],\s+added: SegmentList \{\s+length: 4,\s+id: Uint32Array\(4\) \[ 1, 2, 3, 4 \]/)
+  assert.match(text, /World \{\s+polygons: 1,/)
+  assert.match(text, /Changes \{ stale: true, before: 0, after: 1 \} SegmentList \{ stale: true \}\s+World \{ freed: true \}/)
 })
 test('without init() a call says what to do', () => {
   assert.equal(run(`${imports} try { createWorld(); throw 1 } catch (e) { if (e.code !== 'not-ready') throw e }`), '')

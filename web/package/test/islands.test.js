@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
-import { OutlineLines } from '../dist/draw.js'
-import { circle, convexParts, createWorld, init, Islands, loadWorld, massOf, unitSquare } from '../dist/islands.js'
-import { Pieces } from '../dist/pieces.js'
+import { OutlineLines } from 'localgridseg/draw'
+import { circle, convexParts, createWorld, init, Islands, loadWorld, massOf, unitSquare } from 'localgridseg/islands'
+import { Pieces } from 'localgridseg/pieces'
 
 before(() => init())
 

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
-import { circle, createWorld, init, loadWorld, Pieces, unitSquare } from '../dist/pieces.js'
+import { circle, createWorld, init, loadWorld, Pieces, unitSquare } from 'localgridseg/pieces'
 
 before(() => init())
 

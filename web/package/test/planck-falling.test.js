@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { World as Physics } from 'planck'
-import { init } from '../dist/islands.js'
-import { FallingGround, PlanckTerrain } from '../dist/planck.js'
+import { init } from 'localgridseg/islands'
+import { FallingGround, PlanckTerrain } from 'localgridseg/planck'
 import { cutArm, testFalling } from './falling.js'
 
 await init()

@@ -3,9 +3,9 @@ import assert from 'node:assert/strict'
 import { readFile } from 'node:fs/promises'
 import { before, test } from 'node:test'
 import { Box, Circle, World as Physics } from 'planck'
-import { circle, createWorld, init, rectangle, unitSquare } from '../dist/index.js'
-import { PlanckTerrain } from '../dist/planck.js'
-import { parseTrace, TracePlayer } from '../dist/trace.js'
+import { circle, createWorld, init, rectangle, unitSquare } from 'localgridseg'
+import { PlanckTerrain } from 'localgridseg/planck'
+import { parseTrace, TracePlayer } from 'localgridseg/trace'
 import { ride, Surface } from './ride.js'
 
 before(() => init())

@@ -46,6 +46,13 @@ test('edits that do not fit', () => {
   assert.equal(world.stats().polygons, 1)
 })
 
+test('options that there are not: a word that is misspelt is named, with those that there are', () => {
+  const says = (text, call) => assert.throws(call, ({ code, message }) => code === 'bad-argument' && message === text)
+  says("options has no 'precison', but preserve, precision", () => createWorld({ precison: 'float' }))
+  says("options has no 'merged', but merge", () => world.loops({ merged: true }))
+  says("region has no 'fillRule', but rings, rule", () => world.carve({ ...circle(0, 0, 1), fillRule: 'evenOdd' }))
+})
+
 test('handles that are none', () => {
   const nobody = [0, 1, -1, 0.5, NaN, Infinity, 2 ** 53, 2 ** 60, 123456789]
   for (const id of nobody) {

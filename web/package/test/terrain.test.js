@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { Circle, World as Physics } from 'planck'
-import { Box2dTerrain } from '../dist/box2d3.js'
-import { LgsError, createWorld, unitSquare } from '../dist/index.js'
-import { PlanckTerrain } from '../dist/planck.js'
+import { Box2dTerrain } from 'localgridseg/box2d3'
+import { LgsError, createWorld, unitSquare } from 'localgridseg'
+import { PlanckTerrain } from 'localgridseg/planck'
 import { b2, floorOf, makePhysics, vec } from './box2d3.js'
 
 const refuses = (code, f, pattern = /./) =>

@@ -1,6 +1,6 @@
 // A random game in a closed world: bodies, and ground that changes under them. Law 13 is looked at after each sync and
 // each step. It is the game of addons/box2d/tests/turmoil.h. A crowd is the bodies of one physics engine: crowds.js.
-import { circle, createWorld, loadWorld, thickLine, unitSquare } from '../dist/index.js'
+import { circle, createWorld, loadWorld, thickLine, unitSquare } from 'localgridseg'
 
 const mostUndo = 12
 export const figures = ['circle', 'box', 'capsule', 'triangle', 'octagon', 'stick', 'cross', 'flag']

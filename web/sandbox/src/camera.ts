@@ -1,4 +1,7 @@
 // Which part of the world a canvas shows. All panes share one camera.
+const readable = 12 // pixels per cell
+const comfortable = 26
+
 export class Camera {
   /** The cell coordinates of the middle of the pane. */
   x = 0
@@ -6,11 +9,11 @@ export class Camera {
   /** CSS pixels per cell. */
   scale = 24
 
-  /** Shows a rectangle of cells as large as it fits; on a narrow pane only its left part, but large enough to see. */
-  fit(x0: number, y0: number, x1: number, y1: number, width: number, height: number, least = 0): void {
-    const scale = Math.min(width / (x1 - x0), height / (y1 - y0))
-    this.scale = Math.max(scale, Math.min(least, height / (y1 - y0)))
-    this.x = scale === this.scale ? (x0 + x1) / 2 : x0 + width / this.scale / 2
+  /** Shows a rectangle of cells as large as it fits. Where that is too small to see, as on a phone, it fits in height. */
+  fit([x0, y0, x1, y1]: readonly [number, number, number, number], width: number, height: number, middle?: number): void {
+    const whole = Math.min(width / (x1 - x0), height / (y1 - y0))
+    this.scale = whole >= readable ? whole : Math.max(whole, Math.min(comfortable, height / (y1 - y0)))
+    this.x = this.scale === whole ? (x0 + x1) / 2 : (middle ?? x0 + width / this.scale / 2)
     this.y = (y0 + y1) / 2
   }
 

@@ -47,13 +47,12 @@ export function openTrace(text: string): Document {
   const { world } = newDocument(preserve)
   const player = new TracePlayer(world)
   try {
-    for (const edit of trace.edits) player.apply(edit)
+    player.play(trace)
   } catch (error) {
-    world.free()
+    player.world.free()
     throw error
   }
-  world.commit()
-  return { world, preserve }
+  return { world: player.world, preserve }
 }
 
 export function newDocument(preserve = keptPairs): Document {
@@ -61,7 +60,7 @@ export function newDocument(preserve = keptPairs): Document {
 }
 
 function relationOf(pairs: Pairs): WorldOptions['preserve'] {
-  return preserveOf({ preserve: pairs, edits: [] })
+  return preserveOf({ preserve: pairs })
 }
 
 export function traceText({ world, preserve }: Document): string {

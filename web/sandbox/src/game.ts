@@ -1,5 +1,5 @@
 // The ground, and the physics worlds over it: both, or one. Steps them all alike.
-import type { CellRect } from 'localgridseg'
+import type { CellRect, World } from 'localgridseg'
 import { type Riding, setMotions, type Start } from './bodies.js'
 import type { Document } from './documents.js'
 import { Rocks } from './falling.js'
@@ -75,10 +75,7 @@ export class Game {
     this.ground.open(document)
     this.rocks.reset()
     const cells = document.world.bounds() ?? { i0: 0, j0: 0, i1: 20, j1: 0 }
-    const { starts, gate } = cast ?? {
-      starts: ridersOver(cells),
-      gate: { x: cells.i0 + 2, y: cells.j1 + 3, speed: 2, bottom: cells.j0 - 5 },
-    }
+    const { starts, gate } = cast ?? castIn(document.world, cells)
     this.#gate = gate
     this.#begin(starts)
   }
@@ -152,20 +149,31 @@ export class Game {
   }
 }
 
-function ridersOver(cells: CellRect): Start[] {
-  const starts: Start[] = []
+function castIn(world: World, cells: CellRect): Cast {
+  const starts = ridersIn(world, cells)
+  const { x, y } = starts[starts.length >> 1]
+  return { starts, gate: { x, y, speed: 2, bottom: cells.j0 - 5 } }
+}
+
+// In caves, where there are any, otherwise on top.
+function ridersIn(world: World, cells: CellRect): Start[] {
   const columns = cells.i1 - cells.i0 + 1
   const count = Math.max(1, Math.min(16, Math.floor(columns / 2)))
-  for (let k = 0; k < count; ++k) {
-    const x = cells.i0 + ((k + 0.5) * columns) / count
-    starts.push({
-      kind: k === 0 ? 'car' : 'marble',
-      x,
-      y: cells.j1 + 3,
-      speed: 1,
-      size: k === 0 ? 0.7 : 0.3 + 0.05 * (k % 3),
-      colour: k % 5,
-    })
+  return Array.from({ length: count }, (_, k) => {
+    const x = cells.i0 + ((k + 0.5) * columns) / count, isCar = k === count >> 1, size = isCar ? 0.7 : 0.3 + 0.05 * (k % 3)
+    const y = underRoof(world, cells, x, isCar ? 1.2 : size) ?? cells.j1 + 3
+    return { kind: isCar ? 'car' : 'marble', x, y, speed: 1, size, colour: k % 5 }
+  })
+}
+
+/** A place in this column with ground above and below it, and room around it; the highest one. Null if there is none. */
+function underRoof(world: World, cells: CellRect, x: number, room: number): number | null {
+  const isFree = (x: number, y: number) => world.at(x, y).where === 'outside'
+  let hasRoof = false
+  for (let y = cells.j1 + 1; y > cells.j0; y -= 0.25) {
+    const isRoomy = hasRoof && [-room, 0, room].every((dx) => [-room, 0, room].every((dy) => isFree(x + dx, y + dy)))
+    if (isRoomy && world.rayCast(x, y, x, cells.j0) !== null) return y
+    hasRoof ||= !isFree(x, y)
   }
-  return starts
+  return null
 }

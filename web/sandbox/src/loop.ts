@@ -3,15 +3,17 @@ import { stepTime } from './side.js'
 
 export class Loop {
   playing = true
-  /** Without it nothing happens, and nothing is drawn. */
+  /** Without it nothing happens, and nothing is drawn anew. */
   running = true
   slow = false
   readonly #step: () => void
-  readonly #draw: () => void
+  readonly #draw: () => boolean
+  #isSeen = false
   #last = 0
   #owed = 0
 
-  constructor(step: () => void, draw: () => void) {
+  /** `draw` says whether there is something to see now. */
+  constructor(step: () => void, draw: () => boolean) {
     this.#step = step
     this.#draw = draw
   }
@@ -26,7 +28,7 @@ export class Loop {
       for (; this.#owed >= stepTime; this.#owed -= stepTime) this.#step()
     }
     this.#last = now
-    if (this.running) this.#draw()
+    if (this.running || !this.#isSeen) this.#isSeen = this.#draw()  // once in any case: behind a dialogue, too
     this.start()
   }
 }

@@ -1,7 +1,6 @@
 // The page: puts the parts together, and the controls to them.
 import { init } from 'localgridseg/islands'
 import { Camera } from './camera.js'
-import { element } from './dom.js'
 import { Game } from './game.js'
 import { listenToKeys } from './keys.js'
 import { Loop } from './loop.js'
@@ -12,6 +11,7 @@ import { onThemeChange } from './theme.js'
 import { polygonTool } from './tools/all.js'
 import { Ui } from './ui.js'
 import { Viewer } from './viewer.js'
+import { Welcome } from './welcome.js'
 
 await init()
 const game = new Game()
@@ -33,17 +33,24 @@ listenToKeys({
   cancel: () => polygonTool.cancel(),
   zoom: (factor) => viewer.zoom(factor),
 })
-viewer.fit()
-await ui.openAddress()
+viewer.showHome()
+const isNew = !(await ui.openAddress())
 loop.start()
 const race = new RaceStage(() => (loop.running = false), () => (loop.running = true))
-element('panes').dataset.ready = 'true'
+// Who knows the page, or was sent to something on it, is shown nothing.
+let welcome: Welcome | null = null
+if (isNew && location.hash === '' && !Welcome.wasSeen()) {
+  ui.isShowing = true
+  welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
+}
+document.body.dataset.ready = 'true'
 
 // For tests and for the curious: steps without a clock, and what is going on.
 Object.assign(window, {
   sandbox: {
     game,
     step(count = 1): void {
+      welcome?.end()
       loop.playing = false
       for (let k = 0; k < count; ++k) game.step()
     },

@@ -8,8 +8,9 @@ import type { GroundLayer } from './layer.js'
 import { drawOverlay, drawSegment } from './overlay.js'
 import { drawKicks, drawRiders, drawRocks } from './riders-view.js'
 import { cell } from './scale.js'
+import { settings } from './settings.js'
 import type { Side } from './side.js'
-import { theme } from './theme.js'
+import { theme, wantsCalm } from './theme.js'
 import { currentTool } from './tools/all.js'
 
 export interface Scenery {
@@ -22,6 +23,8 @@ export interface Scenery {
   /** Places whose ground has its name written on it, if it is no ordinary one. */
   readonly labels: readonly (readonly [number, number])[]
   readonly cursor: readonly [number, number] | null
+  /** Where somebody is asked to dig. */
+  readonly invitation: readonly [number, number] | null
   /** Edges where a check found a difference: start x, y, end x, y of each. */
   readonly differences: Float64Array
 }
@@ -73,6 +76,7 @@ export class Pane {
     if (scenery.selected !== null) drawSegment(c, game.ground.world, scenery.selected, pixel)
     this.#drawLabels(scenery, ratio)
     this.#drawDifferences(scenery.differences, pixel)
+    if (scenery.invitation !== null) this.#drawInvitation(scenery.invitation, pixel)
     if (scenery.cursor !== null) this.#drawPreview(scenery.cursor, pixel)
     this.#count('kicks', side.kicks.count)
     this.#count('hardest', side.kicks.hardest)
@@ -82,6 +86,27 @@ export class Pane {
     const [x0, y1] = camera.toCell(0, 0, width, height)
     const [x1, y0] = camera.toCell(width, height, width, height)
     return { i0: Math.floor(x0), j0: Math.floor(y0), i1: Math.floor(x1), j1: Math.floor(y1) }
+  }
+
+  // Rings that close in on the place, as often as a heart beats; and a word.
+  #drawInvitation([x, y]: readonly [number, number], pixel: number): void {
+    const c = this.#context, t = wantsCalm() ? 0.5 : (performance.now() / 1000) % 1
+    c.strokeStyle = theme().kick
+    c.lineWidth = 3 * pixel
+    for (const [radius, alpha] of [[settings.radius, 1], [settings.radius * (2.4 - 1.4 * t), t]]) {
+      c.globalAlpha = alpha
+      c.beginPath()
+      c.arc(x, y, radius, 0, 2 * Math.PI)
+      c.stroke()
+    }
+    c.globalAlpha = 1
+    c.save()
+    c.scale(1, -1)
+    c.font = `600 ${16 * pixel}px system-ui, sans-serif`
+    c.textBaseline = 'middle'
+    c.fillStyle = theme().ink
+    c.fillText('Dig here', x + settings.radius + 10 * pixel, -y)
+    c.restore()
   }
 
   #drawPreview([x, y]: readonly [number, number], pixel: number): void {

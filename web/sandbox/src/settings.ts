@@ -14,4 +14,4 @@ export interface Settings {
   quarters: number
 }
 
-export const settings: Settings = { tool: 'hand', radius: 0.8, block: GROUND, tile: 0, quarters: 0 }
+export const settings: Settings = { tool: 'dig', radius: 0.8, block: GROUND, tile: 0, quarters: 0 }

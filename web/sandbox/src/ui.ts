@@ -42,14 +42,20 @@ export class Ui {
     this.#setUpView()
     this.#setUpDocument()
     this.#viewer.labels = sceneOf('hills').labels!
+    this.#viewer.home = sceneOf('hills')
   }
 
-  /** Opens what the address holds, if it holds something; otherwise what was here last time. */
-  async openAddress(): Promise<void> {
+  /** Nobody's own ground is open: what the page does to it by itself is not kept. */
+  isShowing = false
+
+  /** Opens what the address holds, if it holds something; otherwise what was here last time. Whether there was any. */
+  async openAddress(): Promise<boolean> {
+    const kept = location.hash === '' ? recall() : null
+    let isOpen = false
     await this.#try(async () => {
-      const kept = location.hash === '' ? recall() : null
       const held = await fromHash(kept ?? location.hash)
       if (held === null) return
+      isOpen = true
       if (held.kind === 'trace') return this.#show(() => this.#game.open(openTrace(held.text)), null)
       const state = JSON.parse(held.text) as State
       await restore(state, this.#game)
@@ -58,21 +64,21 @@ export class Ui {
       this.#viewer.lookAt(...state.view)
       if (kept !== null) this.#say('This is the ground of last time. Choose a scene to begin anew.')
     })
+    return isOpen
   }
 
   async #openScene(id: string): Promise<void> {
     await this.#try(async () => {
-      const { make, cast, view } = sceneOf(id)
+      const { make, cast } = sceneOf(id)
       const document = await make()
       this.#show(() => this.#game.open(document, cast?.()), id)
-      if (view !== undefined) this.#viewer.showCells(...view)
       forget()
     })
   }
 
   // What was edited is there again after the page was closed.
   async #keep(): Promise<void> {
-    if (this.#isKeeping || !this.#game.ground.isEdited) return
+    if (this.#isKeeping || this.isShowing || !this.#game.ground.isEdited) return
     this.#isKeeping = true
     try {
       const hash = await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene)))
@@ -149,7 +155,7 @@ export class Ui {
         this.#game.view = radio.value as View
         element('panes').dataset.view = radio.value
         this.#viewer.showSides()
-        this.#viewer.fit()
+        this.#viewer.showHome()
       })
     }
     element<HTMLInputElement>('overlay').addEventListener('change', (event) => {
@@ -251,13 +257,14 @@ export class Ui {
     this.#scene = scene
     this.#scenes.open = scene
     this.#viewer.labels = scene === null ? [] : (sceneOf(scene).labels ?? [])
+    this.#viewer.home = scene === null ? null : sceneOf(scene)
     this.#say('')
     this.#facts.reset()
     this.#touched = null
     this.#viewer.showSides()
     this.#viewer.layer.reset()
     this.#viewer.differences = new Float64Array()
-    this.#viewer.fit()
+    this.#viewer.showHome()
     this.#game.ground.onEnd()
   }
 

@@ -7,11 +7,9 @@ import { GroundLayer } from './layer.js'
 import { describe, segmentAt } from './overlay.js'
 import { Pane } from './pane.js'
 import { Pointer } from './pointer.js'
-import { height, width } from './scenes/landscape.js'
+import type { Scene } from './scenes/all.js'
 import { settings } from './settings.js'
 import { currentTool } from './tools/all.js'
-
-const readable = 7 // pixels per cell that the first view has at least
 
 export class Viewer {
   readonly layer = new GroundLayer()
@@ -19,6 +17,9 @@ export class Viewer {
   overlay = false
   labels: readonly (readonly [number, number])[] = []
   differences: Float64Array = new Float64Array()
+  home: Pick<Scene, 'view' | 'middle'> | null = null
+  /** Where somebody is asked to dig: x, y; null if nowhere. */
+  invitation: readonly [number, number] | null = null
   readonly #game: Game
   readonly camera: Camera
   readonly #panes = [new Pane(element('pane-0')), new Pane(element('pane-1'))]
@@ -46,15 +47,21 @@ export class Viewer {
     })
   }
 
+  /** What its scene says is to be seen at first; everything, if it says nothing. */
+  showHome(): void {
+    if (this.home?.view === undefined) this.fit()
+    else this.showCells(this.home.view, this.home.middle)
+  }
+
   fit(): void {
-    const cells = this.#game.ground.world.bounds() ?? { i0: 0, j0: 0, i1: width - 1, j1: height - 1 }
-    this.showCells(cells.i0, cells.j0, cells.i1 + 1, cells.j1 + 2)
+    const cells = this.#game.ground.world.bounds() ?? { i0: 0, j0: 0, i1: 47, j1: 9 }
+    this.showCells([cells.i0, cells.j0, cells.i1 + 1, cells.j1 + 2])
   }
 
   /** Some cells: left, bottom, right, top. */
-  showCells(x0: number, y0: number, x1: number, y1: number): void {
+  showCells(cells: readonly [number, number, number, number], middle?: number): void {
     const box = this.#panes[0].canvas.getBoundingClientRect()
-    this.camera.fit(x0, y0, x1, y1, box.width, box.height, readable)
+    this.camera.fit(cells, box.width, box.height, middle)
   }
 
   lookAt(x: number, y: number, scale: number): void {
@@ -84,13 +91,14 @@ export class Viewer {
     tool.up(this.#game)
   }
 
-  draw(): void {
+  /** Whether there is something to see now. */
+  draw(): boolean {
     const { width: paneWidth, height: paneHeight } = this.#size
-    if (paneWidth === 0 || paneHeight === 0) return
+    if (paneWidth === 0 || paneHeight === 0) return false
     const ratio = Math.min(2, devicePixelRatio)
     const { world } = this.#game.ground
     this.#game.ground.commit()
-    if (!this.#isNew(paneWidth, paneHeight, ratio)) return
+    if (!this.#isNew(paneWidth, paneHeight, ratio)) return true
     this.layer.update(world, this.camera, paneWidth, paneHeight, ratio)
     const { at } = this.#pointer.cursor
     const selected = this.overlay && at !== null ? segmentAt(world, ...at, 0.6) : null
@@ -105,9 +113,11 @@ export class Viewer {
       selected,
       labels: this.labels,
       cursor: at,
+      invitation: this.invitation,
       differences: this.differences,
     }
     this.#game.sides.forEach((side, k) => this.#panes[k].draw(side, scenery, paneWidth, paneHeight, ratio))
+    return true
   }
 
   // While nothing moves nothing is drawn.
@@ -123,7 +133,7 @@ export class Viewer {
       paneHeight,
       ratio,
     ])
-    const isNew = shown !== this.#shown || this.glow.isLit || this.layer.isStale(this.camera)
+    const isNew = shown !== this.#shown || this.glow.isLit || this.layer.isStale(this.camera) || this.invitation !== null
     this.#shown = shown
     return isNew
   }

@@ -30,7 +30,9 @@ export async function openBrowser() {
       await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions, ...context })
     ).newPage()
     await page.addInitScript(() => {
-      if (location.protocol === 'http:' && !location.search.includes('keep')) localStorage.clear()
+      if (location.protocol !== 'http:') return
+      if (!location.search.includes('keep')) localStorage.clear()
+      if (!location.search.includes('welcome')) localStorage.setItem('localgridseg-welcomed', 'yes')
     })
     page.on('console', (message) => wrong.push(message.text()))
     page.on('pageerror', (error) => wrong.push(error.stack))
@@ -43,10 +45,10 @@ export async function openBrowser() {
   const usual = await newPage({})
   return {
     /** Runs a test on the page, loaded anew. Its clock stands still: sandbox.step() steps it. */
-    async onPage(test, { hash = '', context, keep = false } = {}) {
+    async onPage(test, { hash = '', context, query = '' } = {}) {
       const page = context === undefined ? usual : await newPage(context)
       await page.goto('about:blank')
-      await page.goto(address + (keep ? '?keep' : '') + hash)
+      await page.goto(address + query + hash)
       await page.waitForSelector('[data-ready]')
       await page.evaluate(() => window.sandbox.step(0))
       await test(page)

@@ -129,7 +129,7 @@ test('what was dug is there again after the page was closed', async () => {
       assert.equal(await outline(page), ground)
       await message(page, /ground of last time/)
     },
-    { keep: true },
+    { query: '?keep' },
   )
 })
 

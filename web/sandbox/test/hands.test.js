@@ -197,7 +197,7 @@ test('a phone, the dark, and no motion', () =>
       await step(page, 120)
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390)
       await tool(page, 'dig')
-      const at = await page.evaluate(() => window.sandbox.toPage(8, 5.5))
+      const at = await page.evaluate(() => window.sandbox.toPage(2, 7.5))
       const before = await outline(page)
       await page.touchscreen.tap(at.x, at.y)
       assert.notEqual(await outline(page), before)
@@ -215,6 +215,7 @@ test('a phone, the dark, and no motion', () =>
 
 test('the hand throws a body, and moves the view where there is none; it does the ground no harm', () =>
   browser.onPage(async (page) => {
+    await tool(page, 'hand')
     const ground = await outline(page)
     const rider = () =>
       page.evaluate(() => {
@@ -255,7 +256,7 @@ test('undo, and another document, in the middle of a stroke', () =>
     const before = await outline(page)
     await tool(page, 'dig')
     const at = await page.evaluate(() => window.sandbox.toPage(14, 4.5))
-    for (const end of [() => page.keyboard.press('Control+z'), () => scene(page, 'hills')]) {
+    for (const end of [() => page.keyboard.press('Control+z'), () => scene(page, 'anew')]) {
       await page.mouse.move(at.x, at.y)
       await page.mouse.down()
       await page.mouse.move(at.x + 30, at.y)
@@ -303,3 +304,52 @@ test('a phone on its side shows both worlds, and undo', () =>
     },
     { context: { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true } },
   ))
+
+test('who comes for the first time sees a rock fall, and where to dig the next one; nothing of it is kept', () =>
+  browser.onPath(
+    async (page) => {
+      await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length > 0)
+      assert.ok(await page.locator('input[name=tool][value=dig]').isChecked())
+      await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length === 0)
+      assert.equal(await page.evaluate(() => localStorage.getItem('localgridseg-sandbox')), null)
+      await page.mouse.move(500, 200)
+      await page.mouse.down()
+      await page.mouse.up()
+      assert.equal(await page.evaluate(() => localStorage.getItem('localgridseg-welcomed')), 'yes')
+    },
+    '?welcome',
+  ))
+
+test('on a phone all targets are 44 pixels high, and nothing is beyond its sides', () =>
+  browser.onPage(
+    async (page) => {
+      for (const more of [false, true]) {
+        if (more) await page.locator('#more').click()
+        const small = await page.evaluate(() =>
+          [...document.querySelectorAll('#bar label, #bar button, #bar select, header button, nav a')]
+            .filter((each) => each.offsetParent !== null)
+            .map((each) => [each.textContent, each.getBoundingClientRect()])
+            .filter(([, { height, left, right }]) => height < 43.5 || left < 0 || right > 390)
+            .map(([text, { height, left, right }]) => `${text}: ${height} high, ${left} to ${right}`),
+        )
+        assert.deepEqual(small, [])
+      }
+    },
+    { context: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } },
+  ))
+
+test('the menu says which scene is open', () =>
+  browser.onPage(async (page) => {
+    const shown = () => page.evaluate(() => document.querySelector('#scene').selectedOptions[0].textContent)
+    assert.equal(await shown(), 'Hills')
+    await page.locator('#scene').selectOption('cave')
+    await page.waitForFunction(() => window.sandbox.game.ground.world.bounds().i0 === 0)
+    assert.match(await shown(), /^Cave/)
+    // Who is in the cave has the cave's roof above.
+    const below = await page.evaluate(() => {
+      const { game } = window.sandbox, { world } = game.ground, top = world.bounds().j1 + 1
+      const hasRoof = ({ start: { x, y } }) => world.rayCast(x, y, x, top) !== null
+      return game.sides[0].riders.filter(hasRoof).length / game.sides[0].riders.length
+    })
+    assert.ok(below > 0.8, `${below} of them`)
+  }))

@@ -21,7 +21,7 @@ test('each scene opens, rolls, and has its code beside it', () =>
       const before = await page.evaluate(() => window.sandbox.game.ground.document === window.last)
       assert.equal(before, false)
       await page.evaluate(() => (window.last = window.sandbox.game.ground.document))
-      await page.locator('#scene').selectOption(name)
+      await page.locator('#scene').selectOption(name === 'hills' ? 'anew' : name)
       await page.waitForFunction(() => window.sandbox.game.ground.document !== window.last)
       await page.evaluate(() => window.sandbox.step(60))
       const stats = await page.evaluate(() => window.sandbox.game.ground.world.stats())
@@ -69,7 +69,7 @@ test('the C++ beside the scenes compiles', async (t) => {
   } catch {
     return t.skip('there is no c++')
   }
-  const includes = ['include', 'brush/include', 'tiled/include'].map((folder) => `-I${here(`../../../lib/${folder}`)}`)
+  const includes = ['lib/include', 'lib/brush/include', 'addons/tiled/include'].map((folder) => `-I${here(`../../../${folder}`)}`)
   const codes = await loadCodes()
   const file = here('../dist/codes.cpp')
   // All in one file, so that the headers are read once.

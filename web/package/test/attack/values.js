@@ -1,14 +1,14 @@
 // What a stranger hands in: of each type of an argument the values that are right, the first one plain, and those that
 // look like them: stale, made up, of another world, one beyond each limit. And what is of no type of ours.
 import { Circle, World as Planck } from 'planck'
-import { circle, createWorld, GroundHashes, LgsError } from '../../dist/index.js'
-import { Islands } from '../../dist/islands.js'
-import { Pieces } from '../../dist/pieces.js'
-import { FallingGround, PlanckTerrain } from '../../dist/planck.js'
-import { Box2dTerrain, FallingGround as Box2dFalling } from '../../dist/box2d3.js'
-import { OutlineLines, GroundMeshes } from '../../dist/draw.js'
-import { parseTrace, TracePlayer } from '../../dist/trace.js'
-import { importMap } from '../../dist/full.js'
+import { circle, createWorld, GroundHashes, LgsError } from 'localgridseg'
+import { Islands } from 'localgridseg/islands'
+import { Pieces } from 'localgridseg/pieces'
+import { FallingGround, PlanckTerrain } from 'localgridseg/planck'
+import { Box2dTerrain, FallingGround as Box2dFalling } from 'localgridseg/box2d3'
+import { OutlineLines, GroundMeshes } from 'localgridseg/draw'
+import { parseTrace, TracePlayer } from 'localgridseg/trace'
+import { importMap } from 'localgridseg/full'
 import { b2, makeBody, makePhysics } from '../box2d3.js'
 
 /** What a getter of a stranger throws. It comes out as it is. */
@@ -56,7 +56,7 @@ const ofType = {
   CellRect: [...rects, undefined],
   Changes: (s) => [s.changes, s.old, s.other.changes, { before: s.version(), after: s.version() }, { before: -1, after: s.version(), added: [], removed: [], relinked: [] },
     { before: s.shown, after: s.version(), added: s.old.added, removed: [2 ** 32], relinked: s.old.added }, { before: s.shown, after: s.version() }],
-  Edit: [{ line: 1, kind: 'add', name: 'q', i: 9, j: 0, block: 1, vertices: ramp }, { line: 1, kind: 'remove', name: 'nobody' }, { line: 1, kind: 'commit' }, { kind: 'dance' },
+  Edit: [{ line: 1, kind: 'add', name: 'q', i: 9, j: 0, block: 1, vertices: ramp }, { line: 1, kind: 'remove', goes: { by: 'name', name: 'nobody' } }, { line: 1, kind: 'remove' }, { line: 1, kind: 'many', comes: [7] }, { line: 1, kind: 'repeat', times: 2 }, { line: 1, kind: 'commit' }, { kind: 'dance' },
     { line: 1, kind: 'carve', region: circle(0, 0, 1) }, { line: 1, kind: 'add', name: 'q', i: 9, j: 0, block: -1, vertices: [0] }],
   ErrorCode: ['overlap'],
   FallingOptions: [{}, { density: () => NaN }, { density: () => -1 }, { material: () => null }, { density: mine }],

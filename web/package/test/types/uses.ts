@@ -169,6 +169,7 @@ export function traces(text: string, world: World): string {
   const player = new TracePlayer(createWorld({ preserve: preserveOf(trace) }))
   const names = trace.edits.map((edit: Edit) => (edit.kind === 'add' ? edit.name : ''))
   for (const edit of trace.edits) player.apply(edit)
+  player.play(trace)
   // @ts-expect-error: a commit has no name
   trace.edits.filter((edit) => edit.kind === 'commit').map((edit) => edit.name)
   return names.join() + dump(player.world) + traceOf(world, [[1, 2]])

@@ -1,7 +1,7 @@
 // The scenes of the menu: what each is made of, and who rolls on it.
 import { type Document, newDocument, openFiles } from '../documents.js'
 import type { Cast } from '../game.js'
-import { landscapeGate, landscapeRiders, makeLandscape } from './landscape.js'
+import { landscapeGate, landscapeMiddle, landscapeRiders, landscapeView, makeLandscape } from './landscape.js'
 import { makeMaterials, makeMillion, makePlatforms, materialsCast, millionCast, platformsCast } from './made.js'
 
 export interface Scene {
@@ -13,10 +13,12 @@ export interface Scene {
   readonly labels?: readonly (readonly [number, number])[]
   /** What is shown of it, in cells: left, bottom, right, top. Everything, if it is not said. */
   readonly view?: readonly [number, number, number, number]
+  /** Where the middle is of what a screen shows that is too narrow for that; its left part, if it is not said. */
+  readonly middle?: number
 }
 
 export const scenes: readonly Scene[] = [
-  { id: 'hills', name: 'Hills', make: makeLandscape, cast: () => ({ starts: landscapeRiders(), gate: landscapeGate }), labels: [[31.5, 3.5]] },
+  { id: 'hills', name: 'Hills', make: makeLandscape, cast: () => ({ starts: landscapeRiders(), gate: landscapeGate }), labels: [[31.5, 3.5]], view: landscapeView, middle: landscapeMiddle },
   { id: 'cave', name: 'Cave (objects of Tiled)', make: () => fetched('cave.tmx', 'crate.tx') },
   { id: 'quarry', name: 'Quarry (LDtk)', make: () => fetched('quarry.ldtk') },
   { id: 'tiled', name: 'A Tiled map', make: () => fetched('landscape.tmx', 'landscape.tsx') },

@@ -1,5 +1,5 @@
 // The landscape that the page starts with, and who rolls on it.
-import type { Region } from 'localgridseg'
+import { circle, type Region } from 'localgridseg'
 import { GROUND, ICE } from '../blocks.js'
 import type { Start } from '../bodies.js'
 import { type Document, newDocument } from '../documents.js'
@@ -20,14 +20,29 @@ const surface: readonly (readonly [number, number])[] = [
 ]
 
 export const width = 48
-export const height = 10
+/** What is seen of it at first: left, bottom, right, top. */
+export const landscapeView = [-14, 0.4, width, 12.8] as const
+/** What a narrow screen has in its middle. */
+export const landscapeMiddle = -2.4
+
+// On the left is a cave, where rocks hang from the roof: who digs at their necks sees them fall.
+const roof = 11.25
+const cave: readonly (readonly [number, number, number, number])[] = [[-14, 0, -13, 12.5], [-13, 0, -1, 2], [-13, roof, 0, 12.5], [-1, 0, 0, roof]]
+/** What hangs: x and y of the middle, and the radius. */
+export const rocks: readonly (readonly [number, number, number])[] = [[-4, 8.7, 1.4], [-8, 8.4, 1.7], [-11.3, 9.1, 1]]
+/** Where a rock hangs, so that who digs there cuts it off. */
+export const neckOf = ([x, y, radius]: readonly [number, number, number]): [number, number] => [x, (y + radius + roof) / 2]
 
 export function makeLandscape(): Document {
   const document = newDocument()
   const { world } = document
   world.paint(below(0, width, 9), GROUND)
-  world.paint({ rings: [[-1, 0, 0, 0, 0, 10, -1, 10]] }, GROUND)
   world.paint(below(28, 35, 1), ICE, 'replace')
+  for (const [x0, y0, x1, y1] of cave) world.paint({ rings: [[x0, y0, x1, y0, x1, y1, x0, y1]] }, GROUND)
+  for (const [x, y, radius] of rocks) {
+    world.paint(circle(x, y, radius, 16), GROUND)
+    world.paint({ rings: [[x - 0.25, y, x + 0.25, y, x + 0.4, roof, x - 0.4, roof]] }, GROUND)
+  }
   world.commit()
   return document
 }

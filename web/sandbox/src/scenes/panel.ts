@@ -4,18 +4,21 @@ import { copied } from '../share.js'
 import { sceneOf, scenes } from './all.js'
 import { codes } from './code.js'
 
+const anew = 'anew' // no scene, but what the menu ends with
+
 export class ScenePanel {
   readonly #menu = element<HTMLSelectElement>('scene')
   readonly #show = element<HTMLInputElement>('show-code')
   #open = 'hills'
 
   constructor(onChoose: (id: string) => void, say: (text: string) => void) {
-    const title = new Option('Scene…', '', true, true)
-    title.hidden = true
-    this.#menu.append(title, ...scenes.map(({ id, name }) => new Option(name, id)))
+    const own = new Option('Your own ground', '')
+    own.hidden = true
+    this.#menu.append(own, ...scenes.map(({ id, name }) => new Option(name, id)), new Option('Begin it anew', anew))
+    this.#menu.value = this.#open
     this.#menu.addEventListener('change', () => {
-      const { value } = this.#menu
-      this.#menu.value = '' // so that the same scene can be chosen again, to begin anew
+      const value = this.#menu.value === anew ? this.#open || scenes[0].id : this.#menu.value
+      this.#menu.value = value
       this.#menu.blur()
       onChoose(value)
     })
@@ -26,7 +29,7 @@ export class ScenePanel {
 
   /** Which scene is open; null if it is somebody's own ground, which has no code. */
   set open(id: string | null) {
-    this.#open = id ?? ''
+    this.#open = this.#menu.value = id ?? ''
     this.#update()
   }
 

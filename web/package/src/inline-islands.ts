@@ -1,0 +1,13 @@
+// The same as `localgridseg/islands`, with the code of WebAssembly in it: nothing to fetch. `Pieces` of
+// `localgridseg/pieces` run with it, too.
+import { start } from './engine.js'
+import { wasm } from './wasm-islands.js'
+
+export * from './api.js'
+export { convexParts, massOf } from './ground-body.js'
+export { Islands } from './island-view.js'
+export type * from './island-types.js'
+
+/** Loads the engine with islands, unless an engine runs already. */
+export const init = (): Promise<void> =>
+  start(() => WebAssembly.compile(Uint8Array.from(atob(wasm), (c) => c.charCodeAt(0))))
