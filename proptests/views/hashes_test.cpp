@@ -152,5 +152,19 @@ TEST(HashesByHand, MemoryIsThatOfWhereTheGroundIs) {
   EXPECT_EQ(hashes.bytes(), bytes);
 }
 
+TEST(GroundHashesByHand, WhoMissedACommitSaysSo) {
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  GroundHashes hashes(world);
+  place(world, {3, 4}, unitSquare());
+  ASSERT_TRUE(hashes.update(world, world.commit()));
+  const std::uint64_t before = hashes.hash();
+  place(world, {5, 4}, unitSquare());
+  world.commit();  // nobody tells
+  place(world, {7, 4}, unitSquare());
+  EXPECT_FALSE(hashes.update(world, world.commit()));
+  EXPECT_EQ(hashes.hash(), before);
+}
+
 }  // namespace
 }  // namespace lgs::test

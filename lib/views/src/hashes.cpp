@@ -65,7 +65,7 @@ HashedSquare GroundHashes::Place::withHash(std::uint64_t hash) const {
   return {level, {{inRange(i), inRange(j)}, {inRange(i + side - 1), inRange(j + side - 1)}}, hash};
 }
 
-GroundHashes::GroundHashes(const World& world) noexcept : nodes_(2) {
+GroundHashes::GroundHashes(const World& world) noexcept : version_(world.version()), nodes_(2) {
   world.forEachPolygon([this](Cell cell, const PlacedPolygon& polygon) { add(cell, polygon, true); });
 }
 
@@ -74,6 +74,13 @@ void GroundHashes::update(std::span<const CellChange> changes) noexcept {
     for (const PlacedPolygon& polygon : change.before) add(change.cell, polygon, false);
     for (const PlacedPolygon& polygon : change.now) add(change.cell, polygon, true);
   }
+}
+
+bool GroundHashes::update(const World& world, const Changes& changes) noexcept {
+  if (changes.before != version_ || changes.after != world.version()) return false;
+  update(world.cellChanges());
+  version_ = changes.after;
+  return true;
 }
 
 void GroundHashes::set(Cell chunk, std::uint64_t hash) noexcept {

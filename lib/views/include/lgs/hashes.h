@@ -60,6 +60,11 @@ class GroundHashes {
   /// for each vertex and cell; a test holds it below 400. It looks at no other cell.
   void update(std::span<const CellChange> changes) noexcept;
 
+  /// The same of the world's last commit, roll-back or redo, and looks whether one before it was missed: false, and
+  /// nothing changes, if `changes` do not lead from the version that was seen last; then begin again. Use one of the two
+  /// forms. (A commit that changed no segment has no version of its own, so that one was missed is not seen.)
+  [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
+
   /// From now on the hash of a chunk, by any cell of it in range, is this one: for who keeps hashes of ground that is not
   /// in memory, or finds that it came back as something else. Cost: O(1).
   void set(Cell chunk, std::uint64_t hash) noexcept;
@@ -110,6 +115,7 @@ class GroundHashes {
                       const Place& at, std::vector<CellRect>& out);
 
   std::uint64_t hash_ = 0;
+  std::uint64_t version_ = 0;  ///< of the world's segments, as of the last update
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_;  ///< nodes that are not in the tree
 };
