@@ -15,11 +15,13 @@ export interface Document {
 export interface Opened {
   readonly document: Document
   readonly name: string
+  /** What of a map could not be taken. */
+  readonly partial?: string
 }
 
 export async function openFiles(files: readonly File[]): Promise<Opened> {
   const map = files.find(({ name }) => /\.(tmx|tmj|json|ldtk|world)$/i.test(name))
-  if (map !== undefined) return { document: await openMap(map.name, files), name: map.name }
+  if (map !== undefined) return openMap(map.name, files)
   for (const file of files) {
     const { name } = file
     if (/\.lgs$/i.test(name)) return { document: openSaved(new Uint8Array(await file.arrayBuffer())), name }
@@ -67,17 +69,17 @@ export function traceText({ world, preserve }: Document): string {
   return traceOf(world, preserve)
 }
 
-async function openMap(path: string, files: readonly File[]): Promise<Document> {
+async function openMap(path: string, files: readonly File[]): Promise<Opened> {
   const contents = await Promise.all(
     files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const),
   )
-  const { shapes, placements, suggestions } = await importInWorker(path, Object.fromEntries(contents))
+  const { shapes, placements, suggestions, partial } = await importInWorker(path, Object.fromEntries(contents))
   if (placements.length === 0) throw new Error(`${path}: nothing in it is solid. ${suggestions.join(' ')}`)
   const document = newDocument([])
   const ids = shapes.map((shape) => document.world.shape(shape))
   document.world.addMany(placements.map((value, k) => (k % 4 === 2 ? ids[value] : value)))
   document.world.commit()
-  return document
+  return { document, name: path, partial }
 }
 
 function importInWorker(path: string, files: MapFiles): Promise<Imported> {

@@ -8,6 +8,8 @@ export interface Imported {
   /** i, j, index in `shapes`, block. */
   readonly placements: Int32Array
   readonly suggestions: readonly string[]
+  /** What says that it is solid and was not taken; '' if all of it was. */
+  readonly partial: string
 }
 
 export type ImportAnswer = Imported | { readonly error: string }
@@ -16,8 +18,8 @@ addEventListener('message', async (event: MessageEvent<{ path: string; files: Ma
   let answer: ImportAnswer
   try {
     await init()
-    const { shapes, placements, suggestions } = importMap(event.data.path, event.data.files)
-    answer = { shapes, placements, suggestions }
+    const { shapes, placements, suggestions, partial } = importMap(event.data.path, event.data.files)
+    answer = { shapes, placements, suggestions, partial }
   } catch (error) {
     answer = { error: (error as Error).message }
   }

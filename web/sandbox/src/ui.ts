@@ -193,10 +193,10 @@ export class Ui {
   async #open(files: readonly File[]): Promise<void> {
     if (files.length === 0) return
     await this.#try(async () => {
-      const { document, name } = await openFiles(files)
+      const { document, name, partial } = await openFiles(files)
       this.#show(() => this.#game.open(document), null)
       const { polygons } = document.world.stats()
-      this.#say(`${name}: ${polygons} polygons.`)
+      this.#say(`${name}: ${polygons} polygons.${partial ? ` In part: ${partial}.` : ''}`)
     })
   }
 
