@@ -24,7 +24,7 @@ NAME = re.compile(r"(?<![\w/.$:<>{}-])[A-Za-z_*][\w.*+-]*(?:/[\w.*+-]+)*/?(?![\w
 # Names without a slash that are looked for. Those of traces, pictures and maps are mostly the reader's own.
 SOURCE = re.compile(r".*\.(h|cpp|py|sh|md|toml|cmake)$")
 # What is no file of the project: what running something makes, and what the reader is to fill in.
-OTHER = re.compile(r"localgridseg\.(?:h|cpp)$|out/|build/bugs/|fuzz/all$|origin/|projects/localgridseg/|localgridseg/\w+$|build/web|package/dist|sandbox/dist|dist/|.*/(?:NAME|name)\b")
+OTHER = re.compile(r"localgridseg\.(?:h|cpp)$|out/|build/bugs/|fuzz/all$|origin/|projects/localgridseg/|localgridseg/[\w-]+$|build/web|package/dist|sandbox/dist|dist/|.*/(?:NAME|name)\b")
 WIDTH = 120
 LICENCES = ["web/package/NOTICES.md"]  # texts of others, word for word
 HEADING = re.compile(r"#+ +(.*?) *$")
