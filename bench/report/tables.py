@@ -22,7 +22,6 @@ NAMES = {
     "cgal": "CGAL `Polygon_set_2`, EPECK",
     "polygon-clipping": "polygon-clipping (JavaScript)",
 }
-ENGINE = ("engine-polygons", "engine-shapes")
 RECOMPUTE = ("geos-coverage", "clipper", "boost", "cgal", "polygon-clipping", "geos")
 # The article's figures in milliseconds: polygons and segments of FullBlock, polygons and segments of RAMP.
 PUBLISHED = {
@@ -88,7 +87,7 @@ def edits(results):
     rows = []
     for side in (100, 1000):
         for where, kind in (("anywhere", "edit"), ("nearby", "dig")):
-            for subject in ("published-port", "published-port-new-sets", "published-arrays", *ENGINE):
+            for subject in ("published-port", "published-port-new-sets", "published-arrays", "engine-shapes"):
                 cells = [f"{count(side * side)} cells, {where}: {NAMES[subject]}"]
                 for scenario in (f"{kind}-{side}", f"{kind}-ramp-{side}"):
                     row = results.comparison.get((scenario, subject))
