@@ -104,6 +104,7 @@ Player::Done Player::makeCall(const Judged& judged) {
   const bool mayHaveFound = call.kind == Kind::commit && now_.pending;  // then nothing leads forward any more
   if (!movesInTime(call.kind) || mayHaveFound) {
     if (!isDone || mayHaveFound) model_.tried();
+    if (mayHaveFound) caller_.committed();
     moments_.happened(Redo::maybe);
     hasLeft_ = hasLeft_ || !isDone;
   }
