@@ -121,7 +121,7 @@ class Twin {
     Stands out{placed.block, placed.vertices};
     for (LocalPoint& v : out.vertices) v = way_.vertex(v);
     if (way_.isMirrored) std::ranges::reverse(out.vertices);
-    if (way_.isRenamed) std::ranges::rotate(out.vertices, out.vertices.begin() + 1);
+    if (way_.isRenamed) std::rotate(out.vertices.begin(), out.vertices.begin() + 1, out.vertices.end());
     if (way_.isRenamed) out.block = renamed(out.block);
     return out;
   }
