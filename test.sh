@@ -28,19 +28,16 @@ since() {
   echo "${LGS_SINCE:-$(git rev-list --max-count=20 HEAD 2>/dev/null | tail -n 1)}"
 }
 
-# Some bugs of what changed, another choice each day, in the build that was tested. Only a bug that the tests which are
-# named for it do not find is a failure: without Git's history, or when time is up, there is nothing to say.
+# Some bugs of what changed, another choice each day, in the build that was tested. A bug that the tests which are named
+# for it do not find is told of; `full` fails for it. Without Git's history, or when time is up, there is nothing to say.
 plant() {
   local begin log=$logs/planted.log
   begin=$(since)
   [[ $begin ]] || return 0
   timeout 180 proptests/bugs/run.py --built build/release --changed "$begin" --sample 12 --seed "$(date +%j)" \
     --minutes 2 --results "$logs/planted.jsonl" >"$log" 2>&1 || true
-  if grep -q SURVIVES "$log"; then
-    cat "$log" >&2
-    exit 1
-  fi
-  summary+="$(grep -c '^\[[0-9]*/' "$log" || true) planted bugs, "
+  grep SURVIVES "$log" || true
+  summary+="$(grep -c '^\[[0-9]*/' "$log" || true) planted bugs of which $(grep -c SURVIVES "$log" || true) survive, "
 }
 
 # The web side, beside the others: nobody watches it, and its log is shown when it is done.

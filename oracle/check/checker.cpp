@@ -19,7 +19,7 @@ class Check {
     for (const auto& law : laws_) law->begin(seen_);
     for (const Call& call : seen_.trace.calls) {
       ++seen_.edits;
-      seen_.stats.edits += call.kind == Call::Kind::commit ? 0 : 1;
+      seen_.stats.edits += call.kind == Call::Kind::commit || call.kind == Call::Kind::follow ? 0 : 1;
       auto found = play(call);
       if (!found || *found || stopped_) return found;
     }

@@ -89,6 +89,7 @@ const ofType = {
   'TerrainBase<Body, Material>': (s) => [s.planck.terrain, s.box2d.terrain],
   TerrainOptions: [{}, { cellSize: 0.5, chunkCells: 1, origin: cells[1] }, { cellSize: 0 }, { cellSize: 1e9 }, { chunkCells: 4097 }, { origin: cells[3] }, { origin: cells[2] }, { onCaught: 'eat' },
     { material: () => null }, { material: mine }, { material: 7 }],
+  "Pick<Trace, 'preserve'>": [parseTrace(trace), { preserve: [[1, 2]] }, { preserve: [7] }, { preserve: 7 }],
   Trace: [parseTrace(trace), { preserve: [[1, 2]], edits: [] }, { preserve: [7] }, { preserve: 7 }],
   Uint8Array: (s) => [s.chunk, s.chunk.slice(0, -1), s.saved, ...Array.from({ length: 40 }, (_, k) => s.chunk.map((byte, n) => (n === (7 * k) % s.chunk.length ? byte ^ 129 : byte)))],
   'Uint8Array | string': (s) => [s.saved, s.saved.slice(0, -1), s.savedText, 'AAAA', 'ä', ...Array.from({ length: 40 }, (_, k) => s.saved.map((byte, n) => (n === (7 * k) % s.saved.length ? byte ^ 129 : byte)))],
