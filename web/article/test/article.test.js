@@ -145,10 +145,10 @@ test('a figure that cannot start leaves the others alone', () =>
     assert.equal(await page.locator('figure[data-ready]').count(), 9)
   }, 'article/', { before: (page) => page.route('**/reference.wasm', (route) => route.abort()), wrongs: [/ERR_FAILED/] }))
 
-test('all of it weighs at most 400 kB with gzip', () => {
+test('all of it weighs at most 470 kB with gzip, 190 of them the engine, for speed', () => {
   const folder = new URL('../../sandbox/dist/article/', import.meta.url)
   const sizes = readdirSync(folder).map((file) => gzipSync(readFileSync(new URL(file, folder)), { level: 9 }).length)
   const total = sizes.reduce((a, b) => a + b, 0)
   console.log(`the article: ${(total / 1000).toFixed(0)} kB`)
-  assert.ok(total <= 400_000, `${total} bytes`)
+  assert.ok(total <= 470_000, `${total} bytes`)
 })
