@@ -53,8 +53,10 @@ class Digger {
     const std::int32_t x =
         static_cast<std::int32_t>(160 * std::abs((frame / 20 % 64) - 32) / 32);  // it walks to and fro
     ground_.window(around(x));
-    if (frame % 6 == 0)
-      ground_.dig(lgs::circle({(x + random(40) - 20) * U, (2 + random(26)) * U}, U * (2 + random(4)) / 2, 16));
+    if (frame % 6 == 0) {
+      const std::int64_t radius = U * (2 + random(4)) / 2;  // drawn first: compilers differ in the order of arguments
+      ground_.dig(lgs::circle({(x + random(40) - 20) * U, (2 + random(26)) * U}, radius, 16));
+    }
     if (frame % 90 == 45) ground_.paint(lgs::circle({(x + random(20) - 10) * U, 32 * U}, 2 * U, 16), kEarth);
     if (frame % 40 >= 36) frame % 40 < 38 ? ground_.undo() : ground_.redo();
     if (frame % 1'000 == 700) save();

@@ -77,17 +77,20 @@ test('the project\'s traces: those that once showed a bug, those of the docs; wi
     const left = []  // with calls that the package lacks
     await all(files.map((file, k) => async () => {
       const text = readFileSync(file, 'utf8')
-      const trace = parseTrace(text)
-      brushes += trace.edits.some((edit) => edit.kind === 'carve' || edit.kind === 'paint')
-      const player = new TracePlayer(createWorld({ preserve: preserveOf(trace) }))
-      try {
+      const world = (trace) => {
+        const player = new TracePlayer(createWorld({ preserve: preserveOf(trace) }))
         player.play(trace)
-        assert.equal(dump(player.world), await native(folder, String(k), text), file)
+        return player.world
+      }
+      try {
+        const trace = parseTrace(text), played = world(trace)
+        brushes += trace.edits.some((edit) => edit.kind === 'carve' || edit.kind === 'paint')
+        assert.equal(dump(played), await native(folder, String(k), text), file)
+        played.free()
       } catch (error) {
         if (!error.message.endsWith('the lgs command plays this line')) throw error
         left.push(file)
       }
-      player.world.free()
     }))
     assert.ok(left.length < 5, `${left} have calls that JavaScript lacks`)
     assert.ok(brushes >= 2, `${brushes} with brushes`)
