@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -151,6 +152,19 @@ std::string IslandCheck::checkIds(const std::vector<Kin>& kin, const ById& now) 
   return {};
 }
 
+std::string wrongLists(IslandChanges expected, const IslandChanges& changes) {
+  for (auto* ids : {&expected.came, &expected.went, &expected.changed}) std::ranges::sort(*ids);
+  for (auto* pairs : {&expected.cutOff, &expected.joined}) std::ranges::sort(*pairs);
+  std::ranges::sort(expected.before, {}, &IslandFacts::id);
+  if (changes.came != expected.came) return "another list of islands that came";
+  if (changes.went != expected.went) return "another list of islands that went";
+  if (changes.changed != expected.changed) return "another list of islands that changed";
+  if (changes.cutOff != expected.cutOff) return "another list of islands that were cut off";
+  if (changes.joined != expected.joined) return "another list of islands that joined";
+  if (changes.before != expected.before) return "the islands were something else before";
+  return {};
+}
+
 std::string IslandCheck::checkLists(const Islands& islands, const std::vector<Kin>& kin, const ById& now) const {
   IslandChanges expected;
   for (const Kin& k : kin) {
@@ -178,17 +192,7 @@ std::string IslandCheck::checkLists(const Islands& islands, const std::vector<Ki
         expected.joined.push_back({id, k.news.front()});
     }
   }
-  for (auto* ids : {&expected.came, &expected.went, &expected.changed}) std::ranges::sort(*ids);
-  for (auto* pairs : {&expected.cutOff, &expected.joined}) std::ranges::sort(*pairs);
-  std::ranges::sort(expected.before, {}, &IslandFacts::id);
-  const IslandChanges& changes = islands.changes();
-  if (changes.came != expected.came) return "another list of islands that came";
-  if (changes.went != expected.went) return "another list of islands that went";
-  if (changes.changed != expected.changed) return "another list of islands that changed";
-  if (changes.cutOff != expected.cutOff) return "another list of islands that were cut off";
-  if (changes.joined != expected.joined) return "another list of islands that joined";
-  if (changes.before != expected.before) return "the islands were something else before";
-  return {};
+  return wrongLists(std::move(expected), islands.changes());
 }
 
 }  // namespace lgs::oracle

@@ -14,6 +14,9 @@
 
 namespace lgs::oracle {
 
+/// What is wrong with the lists of an update; empty if nothing is. The expected ones may come in any order.
+std::string wrongLists(IslandChanges expected, const IslandChanges& changes);
+
 class IslandCheck {
  public:
   explicit IslandCheck(IsAnchor isAnchor) : isAnchor_(std::move(isAnchor)) {}

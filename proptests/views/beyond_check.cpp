@@ -1,9 +1,12 @@
 #include "beyond_check.h"
 
+#include "oracle/views/island_check.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace lgs::test {
 namespace {
@@ -181,17 +184,7 @@ std::string BeyondCheck::compare(const Islands& islands, const Moment& now, bool
         expected.went.push_back(id);
     }
   }
-  for (auto* ids : {&expected.came, &expected.went, &expected.changed}) std::ranges::sort(*ids);
-  for (auto* pairs : {&expected.cutOff, &expected.joined}) std::ranges::sort(*pairs);
-  std::ranges::sort(expected.before, {}, &IslandFacts::id);
-  const IslandChanges& changes = islands.changes();
-  if (changes.came != expected.came) return "another list of islands that came";
-  if (changes.went != expected.went) return "another list of islands that went";
-  if (changes.changed != expected.changed) return "another list of islands that changed";
-  if (changes.cutOff != expected.cutOff) return "another list of islands that were cut off";
-  if (changes.joined != expected.joined) return "another list of islands that joined";
-  if (changes.before != expected.before) return "the islands were something else before";
-  return {};
+  return oracle::wrongLists(std::move(expected), islands.changes());
 }
 
 }  // namespace lgs::test
