@@ -1,11 +1,13 @@
-// What stays known of a chunk that is unloaded: the cells at its rim, which the chunks beside it need. Their segments
-// end on that rim, and so do the segments of the rim's cells that they are linked to. The cells further inside have no
-// say.
+// What stays known of a chunk that is unloaded: the cells at its rim, which the chunks beside it need, and the cells to
+// which somebody may go back. Segments of loaded chunks end on the rim, and so do those of the rim's cells that they are
+// linked to. The other cells have no say.
 #pragma once
 
 #include "ground/cell.h"
 #include "ground/chunk.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <vector>
@@ -24,29 +26,48 @@ constexpr std::uint32_t rimCell(std::uint32_t k) {
   return k < kColumn ? (k + 1) * kRow : (k - kColumn + 2) * kRow - 1;
 }
 
+constexpr bool isAtRim(std::uint32_t local) { return !isInner(local); }
+
+/// Cells of a chunk, a bit each.
+using CellMask = std::array<RowMask, kChunkSize>;
+inline bool contains(const CellMask& cells, std::uint32_t local) {
+  return (cells[local / kChunkSize] >> local % kChunkSize & 1u) != 0;
+}
+inline void insert(CellMask& cells, std::uint32_t local) {
+  cells[local / kChunkSize] |= RowMask{1} << local % kChunkSize;
+}
+
 struct Border {
-  /// Cells in a row that hold the same. The word is 0 if they hold nothing.
+  /// Cells at the rim, in a row, that hold the same.
   struct Run {
-    std::uint32_t cells : 8;
-    std::uint32_t facts : 8;
-    CellWord word;
-    Block block;
+    std::uint32_t cells = 0;
+    CellWord word = 0;
+    Block block = 0;
+  };
+  /// A cell of which this is known, and not what its bytes say. At the rim the word is where those of the rim are.
+  struct Kept {
+    std::uint32_t local = 0;
+    CellWord word = 0;
+    Block block = 0;
   };
 
   std::int32_t ci = 0;  ///< where the chunk is, as in Chunk
   std::int32_t cj = 0;
   std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
   std::uint32_t lastSerial = 0;  ///< the greatest one that any of its cells gave out
+  bool isAwake = true;           ///< the chunk's cells at the rim hold what they held; otherwise `runs` says it
+  bool isOwed = false;           ///< it went back or forward since: the bytes no longer say what `kept` holds
   std::vector<Run> runs;
+  std::vector<Kept> kept;  ///< by cell: all of which there are notes
 
-  /// Calls visit(local, run) for each cell.
-  template <class Visit>
-  void forEachCell(Visit&& visit) const {
-    std::uint32_t k = 0;
-    for (const Run& run : runs)
-      for (std::uint32_t n = 0; n < run.cells; ++n) visit(rimCell(k++), run);
+  Kept& keptAt(std::uint32_t local) {
+    const auto found = std::ranges::lower_bound(kept, local, {}, &Kept::local);
+    assert(found != kept.end() && found->local == local);
+    return *found;
   }
-  std::uint64_t bytes() const { return sizeof *this + runs.capacity() * sizeof runs[0]; }
+  std::uint64_t bytes() const {
+    return sizeof *this + runs.capacity() * sizeof runs[0] + kept.capacity() * sizeof kept[0];
+  }
 };
 
 }  // namespace lgs::detail

@@ -2,7 +2,7 @@
 
 #include "storage/held_bytes.h"
 
-#include <unordered_map>
+#include <algorithm>
 
 namespace lgs::detail {
 
@@ -17,27 +17,95 @@ void CellChanges::add(Cell cell, std::span<const PlacedPolygon> before, std::spa
   for (const auto& polygons : {before, now}) polygons_.insert(polygons_.end(), polygons.begin(), polygons.end());
 }
 
-void CellChanges::read(const Ground& ground, Journal::Moment commit, Way way) {
-  const Grid& grid = ground.grid;
-  const std::span<const Note> notes = ground.journal.since(commit);
-  std::unordered_map<std::uint32_t, bool> wasUnloaded;  // chunks of which it was noted
-  for (const Note& note : notes)
-    if (note.thing == Thing::border && note.before < commit) wasUnloaded[note.key] = note.value != 0;
+// --- Chunks that leave and come back
+
+void CellChanges::leaves(const Ground& ground, Journal::Moment commit, std::uint32_t chunk) {
+  if (!wasLoaded_.emplace(chunk, true).second) return;
+  std::unordered_map<std::uint32_t, const Note*> pending;  // edits, which may be undone until it is told
+  for (const Note& note : ground.journal.since(commit))
+    if (note.thing == Thing::cell && note.key / kChunkCells == chunk && note.before < commit)
+      pending.emplace(note.key, &note);
+  std::vector<PlacedPolygon> polygons;
+  for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
+    polygons.clear();
+    const auto edited = pending.find(at.ref());
+    ground.read(edited == pending.end() ? ground.held(at) : ground.held(*edited->second), polygons);
+    if (polygons.empty()) continue;
+    LeftCell& cell = left_.emplace_back(LeftCell{at.ref(), {}});
+    for (const PlacedPolygon& p : polygons)
+      cell.polygons.push_back({p.handle, p.block, {p.vertices.begin(), p.vertices.end()}});
+  }
+}
+
+void CellChanges::forgetTurns() {
+  wasLoaded_.clear();
+  left_.clear();
+}
+
+bool CellChanges::wasLoaded(const Ground& ground, std::uint32_t chunk) const {
+  const auto known = wasLoaded_.find(chunk);
+  return known != wasLoaded_.end() ? known->second : !ground.grid.border(chunk);
+}
+
+/// Cells of which there is no note since the commit: they are the same, and maybe loaded no more, or again; or they were
+/// given up since.
+void CellChanges::readTurned(const Ground& ground, Journal::Moment commit) {
+  std::vector<PlacedPolygon> polygons, now;
+  const auto isNoted = [&](std::uint32_t ref) { return ground.journal.isNotedSince(commit, Thing::cell, ref); };
+  for (const LeftCell& cell : left_) {
+    if (isNoted(cell.ref)) continue;
+    now.clear();
+    if (ground.grid.stateOf(cell.ref / kChunkCells) == ChunkState::loaded)
+      ground.read(ground.held(ground.grid.find(cell.ref)), now);
+    if (!now.empty()) continue;
+    polygons.clear();
+    for (const LeftPolygon& p : cell.polygons) polygons.push_back({p.handle, p.block, p.vertices});
+    add(ground.grid.cellOf(cell.ref), polygons, {});
+  }
+  std::vector<std::uint32_t> back;
+  for (const auto& [chunk, was] : wasLoaded_)
+    if (!was && ground.grid.stateOf(chunk) == ChunkState::loaded) back.push_back(chunk);
+  std::ranges::sort(back);
+  for (const std::uint32_t chunk : back) {
+    for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
+      polygons.clear();
+      ground.read(ground.held(at), polygons);
+      if (!polygons.empty() && !isNoted(at.ref())) add(at.cell(), {}, polygons);
+    }
+  }
+}
+
+// --- What is told
+
+void CellChanges::read(Ground& ground, Journal::Moment commit, Way way) {
   std::vector<PlacedPolygon> then, now;
   clear();
-  for (const Note& note : notes) {
+  std::ranges::sort(left_, {}, &LeftCell::ref);
+  for (const Note& note : ground.journal.since(commit)) {
     if (note.thing != Thing::cell || note.before >= commit) continue;
-    const CellAt at = grid.find(note.key);
-    const auto known = wasUnloaded.find(at.chunk->index);
-    const bool isUnloaded = at.chunk->isUnloaded, was = known == wasUnloaded.end() ? isUnloaded : known->second;
-    if (isUnloaded && was) continue;
+    const std::uint32_t chunk = note.key / kChunkCells;
+    const bool was = wasLoaded(ground, chunk), is = !ground.grid.border(chunk);
+    if (way == Way::stay ? was == is : !was && !is) continue;
     then.clear();
     now.clear();
-    if (!was) ground.read(ground.held(note), then);
-    if (!isUnloaded) ground.read(ground.held(at), now);
-    way == Way::back ? add(at.cell(), now, then) : add(at.cell(), then, now);
+    ground.read(ground.held(note), then);
+    if (way == Way::stay)
+      now = then;
+    else if (way == Way::back ? was : is)
+      ground.read(ground.heldNow(note.key), now);
+    if (way == Way::back) std::swap(then, now);
+    const auto left = std::ranges::lower_bound(left_, note.key, {}, &LeftCell::ref);
+    if (left != left_.end() && left->ref == note.key) {
+      then.clear();  // it may have been given up since
+      for (const LeftPolygon& p : left->polygons) then.push_back({p.handle, p.block, p.vertices});
+    }
+    if (!was) then.clear();
+    if (!is) now.clear();
+    add(ground.grid.cellOf(note.key), then, now);
   }
+  readTurned(ground, commit);
   own();
+  forgetTurns();
 }
 
 // What lies one behind the other is found again by its sizes alone, which the spans have, whatever they point to.
@@ -60,6 +128,13 @@ void CellChanges::own() {
   }
 }
 
-std::uint64_t CellChanges::bytes() const { return heldBytes(changes_, polygons_, vertices_); }
+std::uint64_t CellChanges::bytes() const {
+  std::uint64_t sum = heldBytes(changes_, polygons_, vertices_, left_);
+  for (const LeftCell& cell : left_) {
+    sum += heldBytes(cell.polygons);
+    for (const LeftPolygon& polygon : cell.polygons) sum += heldBytes(polygon.vertices);
+  }
+  return sum;
+}
 
 }  // namespace lgs::detail

@@ -1,5 +1,5 @@
 // What a commit or a roll-back changed, cell by cell, as values. The vertices are copies: contents may be forgotten,
-// and a world may be copied.
+// and a world may be copied. Cells of chunks that leave memory and come back change, too, for those who follow.
 #pragma once
 
 #include "ground/ground.h"
@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace lgs::detail {
@@ -15,22 +16,48 @@ namespace lgs::detail {
 class CellChanges {
  public:
   CellChanges() = default;
-  CellChanges(const CellChanges& other) : changes_(other.changes_), polygons_(other.polygons_) { own(); }
+  CellChanges(const CellChanges& other)
+      : changes_(other.changes_),
+        polygons_(other.polygons_),
+        vertices_(other.vertices_),
+        wasLoaded_(other.wasLoaded_),
+        left_(other.left_) {
+    own();
+  }
   CellChanges& operator=(const CellChanges&) = delete;
   ~CellChanges() = default;
 
   std::span<const CellChange> all() const { return changes_; }
-
   void clear();
-  /// What is different between a commit, which the journal knows, and the ground as it is. By a commit or by going forth
-  /// the world went from the former to the latter; by going back, the other way. Of a chunk that is, or was, unloaded
-  /// nothing is told.
-  enum class Way : std::uint8_t { commit, back, forth };
-  void read(const Ground& ground, Journal::Moment commit, Way way);
+
+  /// A chunk is about to leave: what it held at the last commit can be told later.
+  void leaves(const Ground& ground, Journal::Moment commit, std::uint32_t chunk);
+  /// A chunk has come back.
+  void comesBack(std::uint32_t chunk) { wasLoaded_.emplace(chunk, false); }
+  /// Nobody need be told which chunks have left or come back.
+  void forgetTurns();
+
+  /// Tells what is different between the ground as it was told last and as it is to be told now. The one is that of a
+  /// commit, which the journal knows, the other the ground as it is: the world went from the former to the latter, or
+  /// back; or both are that of the commit, and only what is loaded is another.
+  enum class Way : std::uint8_t { forth, back, stay };
+  void read(Ground& ground, Journal::Moment commit, Way way);
 
   std::uint64_t bytes() const;
 
  private:
+  struct LeftPolygon {
+    PolygonHandle handle;
+    Block block = 0;
+    std::vector<LocalPoint> vertices;
+  };
+  struct LeftCell {
+    std::uint32_t ref = 0;
+    std::vector<LeftPolygon> polygons;
+  };
+
+  bool wasLoaded(const Ground& ground, std::uint32_t chunk) const;
+  void readTurned(const Ground& ground, Journal::Moment commit);
   /// After the last one own() must be called. Until then the vertices must stay where they are.
   void add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now);
   /// Copies all vertices, and makes every span one of what is kept here.
@@ -39,6 +66,8 @@ class CellChanges {
   std::vector<CellChange> changes_;
   std::vector<PlacedPolygon> polygons_;  ///< of each change those before and those of now, one behind the other
   std::vector<LocalPoint> vertices_;     ///< of each polygon, one behind the other
+  std::unordered_map<std::uint32_t, bool> wasLoaded_;  ///< when it was told last; of chunks that turned since
+  std::vector<LeftCell> left_;                         ///< of those that left
 };
 
 }  // namespace lgs::detail

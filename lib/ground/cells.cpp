@@ -32,10 +32,7 @@ std::optional<Slot> Cells::slotOf(PolygonHandle handle) const {
 Error Cells::noPolygon(PolygonHandle handle) const {
   const Border* border = grid.border(handle.cellRef / kChunkCells);
   if (!border) return {.code = ErrorCode::staleHandle, .other = handle};
-  const std::uint32_t local = handle.cellRef % kChunkCells;
-  const Cell cell{border->ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
-                  border->cj * kChunkSize + static_cast<std::int32_t>(local / kChunkSize)};
-  return {.code = ErrorCode::unloaded, .cell = cell, .other = handle};
+  return {.code = ErrorCode::unloaded, .cell = grid.cellOf(handle.cellRef), .other = handle};
 }
 
 void Cells::read(const Held& held, std::vector<PlacedPolygon>& out) const {
@@ -77,7 +74,7 @@ void Cells::setUnchanged(CellAt at) {
 void Cells::setChangedCells(const ChangedCells& cells) {
   assert(changed_.empty());
   for (std::size_t k = 0; k < cells.size();) {
-    Chunk& chunk = grid.chunk(cells[k++]);
+    Chunk& chunk = grid.wake(cells[k++]);
     changed_.push_back(&chunk);
     chunk.dirtyRows = cells[k++];
     for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1)
@@ -119,55 +116,40 @@ void Cells::dropList(CellWord word) {
   lists_.release(word & ~kListBit, PolygonList::sizeOf(old.size()));
 }
 
-CellWord Cells::moveOut(CellAt at, Journal& journal) {
-  if (!isListed(at)) return at.word();
-  const RecordArena::Ref ref = at.word() & ~kListBit;
-  const std::uint32_t size = PolygonList::sizeOf(list(at.word()).size());
+CellWord Cells::emptyWord(std::uint32_t lastSerial) {
+  return fitsWord(lastSerial, {}) ? wordOf(kEmptyContent, lastSerial) : makeList(kEmptyContent, lastSerial, {});
+}
+
+void Cells::lay(CellAt at, CellWord word, Block block) {
+  at.word() = word;
+  if (hasSole(word)) at.chunk->setBlock(at.local, block);
+  const Facts facts = catalogue.facts(contentOf(word));
+  at.chunk->facts[at.local] = facts;
+  at.chunk->everFacts |= facts;
+}
+
+CellWord Cells::moveOut(CellWord word, Journal& journal) {
+  if (!isListed(word)) return word;
+  const RecordArena::Ref ref = word & ~kListBit;
+  const std::uint32_t size = PolygonList::sizeOf(list(word).size());
   const CellWord moved = kListBit | journal.keep({lists_.at(ref), size});
   lists_.release(ref, size);
   return moved;
 }
 
-void Cells::moveIn(CellAt at, CellWord word, Block block, Journal& journal) {
-  if (isListed(word)) {
-    const std::span<const std::uint32_t> words = journal.kept(word & ~kListBit);
-    const RecordArena::Ref ref = lists_.allocate(static_cast<std::uint32_t>(words.size()));
-    std::ranges::copy(words, lists_.at(ref));
-    journal.release(word & ~kListBit);
-    word = kListBit | ref;
-  }
-  at.word() = word;
-  if (hasSole(word)) at.chunk->setBlock(at.local, block);
-  const Facts facts = catalogue.facts(contentId(at));
-  at.chunk->facts[at.local] = facts;
-  at.chunk->everFacts |= facts;
+CellWord Cells::moveIn(CellWord moved, Journal& journal) {
+  if (!isListed(moved)) return moved;
+  const std::span<const std::uint32_t> words = journal.kept(moved & ~kListBit);
+  const RecordArena::Ref ref = lists_.allocate(static_cast<std::uint32_t>(words.size()));
+  std::ranges::copy(words, lists_.at(ref));
+  journal.release(moved & ~kListBit);
+  return kListBit | ref;
 }
 
-void Cells::dropMoved(CellWord word, Journal& journal) {
-  if (!isListed(word)) return drop(word);
-  catalogue.release(PolygonList(journal.kept(word & ~kListBit).data()).content());
-  journal.release(word & ~kListBit);
-}
-
-// --- Chunks that are not in memory
-
-Border Cells::borderOf(const Chunk& chunk) {
-  Border border;
-  for (std::uint32_t k = 0; k < kRimCells; ++k) {
-    const std::uint32_t local = rimCell(k);
-    const CellWord word = holdsNothing(chunk.cells[local]) ? 0 : chunk.cells[local];
-    const Block block = hasSole(word) ? chunk.block(local) : 0;
-    if (!border.runs.empty() && !isListed(word)) {
-      Border::Run& last = border.runs.back();
-      if (last.word == word && last.block == block) {
-        ++last.cells;
-        continue;
-      }
-    }
-    border.runs.push_back({1, chunk.facts[local], copyOf(word), block});
-  }
-  shrink(border.runs);
-  return border;
+void Cells::dropMoved(CellWord moved, Journal& journal) {
+  if (!isListed(moved)) return drop(moved);
+  catalogue.release(PolygonList(journal.kept(moved & ~kListBit).data()).content());
+  journal.release(moved & ~kListBit);
 }
 
 std::uint64_t Cells::bytes() const { return grid.bytes() + catalogue.bytes() + lists_.bytes() + heldBytes(changed_); }

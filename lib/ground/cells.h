@@ -68,8 +68,9 @@ class Cells {
     Block block = 0;                      ///< of the only polygon, if the word has one
     const std::uint32_t* list = nullptr;  ///< its words, if the word refers to one
   };
-  Held held(CellAt at) const {
-    return {at.ref(), at.word(), at.chunk->block(at.local), isListed(at) ? lists_.at(at.word() & ~kListBit) : nullptr};
+  Held held(CellAt at) const { return held(at.ref(), at.word(), at.chunk->block(at.local)); }
+  Held held(std::uint32_t ref, CellWord word, Block block) const {
+    return {ref, word, block, isListed(word) ? lists_.at(word & ~kListBit) : nullptr};
   }
   /// By handle, behind what is in `out`. Valid until the next edit.
   void read(const Held& held, std::vector<PlacedPolygon>& out) const;
@@ -89,6 +90,11 @@ class Cells {
   void touch(CellAt at, Facts facts) {
     if (at.chunk->dirtyRows == 0) changed_.push_back(at.chunk);
     mark(at, facts);
+  }
+  void touchAll(Chunk& chunk) {
+    if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
+    chunk.dirtyRows = ~RowMask{0};
+    chunk.dirty.fill(~RowMask{0});
   }
   /// In a chunk that has changed already.
   static void mark(CellAt at, Facts facts) {
@@ -132,19 +138,18 @@ class Cells {
     if (hasSole(word)) at.chunk->setBlock(at.local, block);
     touch(at, facts);
   }
+  /// The same without dropping the old one, and whether the cell has changed is not touched.
+  void lay(CellAt at, CellWord word, Block block);
+  /// Of a cell without polygons.
+  CellWord emptyWord(std::uint32_t lastSerial);
   static bool isListed(CellWord word) { return (word & kListBit) != 0; }
-  /// What a note of a cell says: the same word; a list is among the words that the journal keeps. The content stays in
-  /// use. The cell must get another word.
-  CellWord moveOut(CellAt at, Journal& journal);
-  /// A cell gets back what was moved out. Whether it has changed is not touched.
-  void moveIn(CellAt at, CellWord word, Block block, Journal& journal);
+  /// What a note of a cell says instead of its word: a list is among the words that the journal keeps. The content
+  /// stays in use. The cell must get another word.
+  CellWord moveOut(CellWord word, Journal& journal);
+  /// The word for what was moved out.
+  CellWord moveIn(CellWord moved, Journal& journal);
   /// Lets go of what was moved out.
-  void dropMoved(CellWord word, Journal& journal);
-
-  // --- Chunks that are not in memory
-
-  /// What the cells at the rim of a chunk hold. Their contents are in use once more, and their lists are copied.
-  Border borderOf(const Chunk& chunk);
+  void dropMoved(CellWord moved, Journal& journal);
 
  private:
   PolygonList list(CellWord word) const { return PolygonList(lists_.at(word & ~kListBit)); }

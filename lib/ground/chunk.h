@@ -21,6 +21,12 @@ constexpr std::uint32_t localOf(Cell cell) {
   return static_cast<std::uint32_t>((cell.j & (kChunkSize - 1)) * kChunkSize + (cell.i & (kChunkSize - 1)));
 }
 
+/// The cell in that place of a chunk, whose place is given in chunks.
+constexpr Cell cellIn(std::int32_t ci, std::int32_t cj, std::uint32_t local) {
+  return {ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
+          cj * kChunkSize + static_cast<std::int32_t>(local / kChunkSize)};
+}
+
 /// Whether all eight cells around a cell are in its chunk.
 constexpr bool isInner(std::uint32_t local) {
   const std::uint32_t x = local % kChunkSize, y = local / kChunkSize;
@@ -61,10 +67,7 @@ struct Chunk {
   void setBlockThere(std::uint32_t local, Block block) {
     if (blocks) (*blocks)[local] = block;
   }
-  Cell cell(std::uint32_t local) const {
-    return {ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
-            cj * kChunkSize + static_cast<std::int32_t>(local / kChunkSize)};
-  }
+  Cell cell(std::uint32_t local) const { return cellIn(ci, cj, local); }
   std::uint32_t ref(std::uint32_t local) const { return index * kChunkCells + local; }
 
  private:

@@ -1,59 +1,73 @@
 // The ground's part of going back and forward: what a note of it is exchanged with.
 #include "ground/ground.h"
 
-#include <array>
 #include <cassert>
+#include <utility>
 
 namespace lgs::detail {
-namespace {
-
-constexpr std::size_t kBorderHead = 4, kRunWords = 3;  // of a border that the journal keeps
-
-}  // namespace
-
 /// Before a cell gets another word. The note takes over what its word stands for, if there is to be one.
 void Ground::noteOrDrop(CellAt at) {
   if (journal.isNoted(Thing::cell, at.ref())) return drop(at.word());
   Note& note = journal.add(Thing::cell, at.ref());
   note.wasClean = (at.chunk->dirty[at.row()] & at.bit()) == 0;
   note.block = at.chunk->block(at.local);
-  note.value = moveOut(at, journal);
+  note.value = moveOut(at.word(), journal);
 }
 
 void Ground::exchange(Note& note) {
-  if (note.thing == Thing::cell) {
-    const CellAt at = grid.find(note.key);
-    const Block block = at.chunk->block(at.local);
-    const CellWord word = moveOut(at, journal);
-    moveIn(at, note.value, note.block, journal);
-    note.value = word;
-    note.block = block;
-  } else if (note.thing == Thing::border) {
-    Chunk& chunk = grid.chunk(note.key);
-    const std::uint32_t border = chunk.isUnloaded ? keep(grid.load(chunk)) : 0;
-    if (note.value != 0) {
-      grid.unload(chunk, takeKept(note.value));
-      sleepy_.push_back(note.key);
-    }
-    note.value = border;
-  } else if (note.thing == Thing::chunk) {
-    const Cell corner{static_cast<std::int32_t>(note.value) * kChunkSize,
-                      static_cast<std::int32_t>(note.block) * kChunkSize};
-    if (grid.placeOf(note.key)) {
-      grid.forget(note.key);
-    } else {
-      [[maybe_unused]] const CellAt at = grid.obtain(corner);
-      assert(at.chunk->index == note.key);  // the least number that is free
-    }
-  } else {
-    assert(note.thing == Thing::commit);  // which holds nothing
+  if (note.thing == Thing::cell) return exchangeCell(note);
+  if (note.thing == Thing::chunk) return exchangeChunk(note);
+  if (note.thing == Thing::turn) return turn(note.key);
+  assert(note.thing == Thing::commit);  // which holds nothing
+}
+
+/// Of an unloaded chunk too, whose bytes are no longer right then.
+void Ground::exchangeCell(Note& note) {
+  const std::uint32_t number = note.key / kChunkCells, local = note.key % kChunkCells;
+  const auto swap = [&](CellWord word, Block& block) {
+    const CellWord then = moveIn(note.value, journal);
+    note.value = moveOut(word, journal);
+    std::swap(note.block, block);
+    return then;
+  };
+  Border* border = grid.border(number);
+  if (border) border->isOwed = true;
+  if (border && !isAtRim(local)) {
+    Border::Kept& kept = border->keptAt(local);
+    kept.word = swap(kept.word, kept.block);
+    return;
   }
+  if (border) wakeRim(number);
+  const CellAt at{&grid.chunk(number), local};
+  Block block = at.chunk->block(local);
+  const CellWord then = swap(at.word(), block);
+  lay(at, then, block);
+}
+
+/// A chunk that an edit made is gone before that, unless it is unloaded: then it holds nothing there, and was there at
+/// all times.
+void Ground::exchangeChunk(Note& note) {
+  if (note.isMoot) return;
+  if (grid.stateOf(note.key) == ChunkState::none) {
+    [[maybe_unused]] const CellAt at =
+        grid.obtain(cellIn(static_cast<std::int32_t>(note.value), static_cast<std::int32_t>(note.block), 0));
+    assert(at.chunk->index == note.key);  // the least number that is free
+    if (grid.unloadedCount() != 0) refreshAround(note.key);
+    return;
+  }
+  note.isMoot = grid.border(note.key) != nullptr;
+  if (note.isMoot) return;
+  if (grid.unloadedCount() != 0) refreshAround(note.key);
+  for (const CellWord word : grid.chunk(note.key).cells) drop(word);
+  grid.forget(note.key);
 }
 
 void Ground::drop(const Note& note) {
-  if (note.thing == Thing::cell) return dropMoved(note.value, journal);
-  if (note.thing == Thing::border && note.value != 0) {
-    for (const Border::Run& run : takeKept(note.value).runs) drop(run.word);
+  if (note.thing == Thing::cell) {
+    dropMoved(note.value, journal);
+    const Border* border = grid.border(note.key / kChunkCells);
+    const bool isWaiting = !spare_.empty() && spare_.back() == note.key / kChunkCells;
+    if (border && !border->kept.empty() && !isWaiting) spare_.push_back(note.key / kChunkCells);
   } else if (note.thing == Thing::segment || note.thing == Thing::list) {
     journal.release(note.value);
   }
@@ -61,13 +75,9 @@ void Ground::drop(const Note& note) {
 
 void Ground::forEachNotedContent(const std::function<void(ContentId)>& visit) const {
   journal.forEach([&](const Note& note) {
-    if (note.thing == Thing::cell) {
-      const Held held = this->held(note);
-      visit(held.list != nullptr ? PolygonList(held.list).content() : held.word >> kLowBits);
-    } else if (note.thing == Thing::border && note.value != 0) {
-      const std::span<const std::uint32_t> words = journal.kept(note.value);
-      for (std::size_t k = kBorderHead; k < words.size(); k += kRunWords) visit(contentOf(words[k + 1]));
-    }
+    if (note.thing != Thing::cell) return;
+    const Held held = this->held(note);
+    visit(held.list != nullptr ? PolygonList(held.list).content() : held.word >> kLowBits);
   });
 }
 
@@ -79,26 +89,6 @@ void Ground::takeBack(Journal::Moment moment) {
         exchange(note);
       },
       [this](const Note& note) { drop(note); });
-}
-
-// --- A border as words: some numbers, and then the runs
-
-std::uint32_t Ground::keep(const Border& border) {
-  std::vector<std::uint32_t> words{static_cast<std::uint32_t>(border.ci), static_cast<std::uint32_t>(border.cj),
-                                   border.checksum, border.lastSerial};
-  for (const Border::Run& run : border.runs)
-    words.insert(words.end(), {run.cells | std::uint32_t{run.facts} << 8, run.word, run.block});
-  return journal.keep(words);
-}
-
-Border Ground::takeKept(std::uint32_t kept) {
-  const std::span<const std::uint32_t> words = journal.kept(kept);
-  Border border{static_cast<std::int32_t>(words[0]), static_cast<std::int32_t>(words[1]), words[2], words[3], {}};
-  border.runs.reserve((words.size() - kBorderHead) / kRunWords);
-  for (std::size_t k = kBorderHead; k < words.size(); k += kRunWords)
-    border.runs.push_back({words[k] & 0xffu, words[k] >> 8 & 0xffu, words[k + 1], words[k + 2]});
-  journal.release(kept);
-  return border;
 }
 
 }  // namespace lgs::detail

@@ -154,11 +154,6 @@ Chunk& Grid::wake(std::uint32_t number) {
   return *chunks_[number];
 }
 
-bool Grid::isAsleep(std::uint32_t number) const {
-  const Chunk* chunk = chunks_[number].get();
-  return !chunk || std::ranges::all_of(chunk->cells, [](std::uint32_t word) { return word == 0; });
-}
-
 void Grid::sleep(std::uint32_t number) {
   if (!chunks_[number]) return;
   unlink(*chunks_[number]);

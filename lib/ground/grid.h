@@ -4,7 +4,7 @@
 // Chunks have numbers. A new one takes the least that is free. So the numbers in use say which one comes next, and
 // nothing else has to be saved.
 //
-// An unloaded chunk keeps its number, and has a border (border.h). It is a Chunk, too, while a loaded one is beside it.
+// An unloaded chunk keeps its number, and has a border (border.h). It is a Chunk, too, unless it is asleep.
 #pragma once
 
 #include "ground/border.h"
@@ -61,6 +61,10 @@ struct Chunks {
   ChunkIterator end() const { return last; }
 };
 
+/// What is known of a place: `none`, where no edit ever was, or that was forgotten; an unloaded chunk is `asleep` while
+/// no loaded one is beside it, and takes no more memory than its border then.
+enum class ChunkState : std::uint8_t { none, loaded, unloaded, asleep };
+
 class Grid {
  public:
   Grid() { chunks_.emplace_back(std::make_unique<Chunk>()); }
@@ -88,15 +92,26 @@ class Grid {
     if (index == 0 || index >= chunks_.size()) return {};
     return {chunks_[index].get(), cellRef % kChunkCells};
   }
-  Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells); }
+  /// Of a chunk with a number that is in use, or of none.
+  Cell cellOf(std::uint32_t cellRef) const {
+    const std::uint32_t number = cellRef / kChunkCells, local = cellRef % kChunkCells;
+    if (const Chunk* chunk = chunks_[number].get()) [[likely]]
+      return chunk->cell(local);
+    return cellIn(borders_[number]->ci, borders_[number]->cj, local);
+  }
   static constexpr std::uint32_t kNoNumber = HashIndex::kNone;
   /// The number of the chunk in a place, given in chunks, loaded or not; kNoNumber if there is none.
   std::uint32_t numberAt(std::int32_t ci, std::int32_t cj) const;
   /// Where a chunk is, in chunks, loaded or not; nothing if the number is not in use.
   std::optional<std::pair<std::int32_t, std::int32_t>> placeOf(std::uint32_t number) const;
-  /// The chunk with a number that is in use.
+  ChunkState stateOf(std::uint32_t number) const {
+    if (number >= chunks_.size()) return ChunkState::none;
+    if (border(number)) return chunks_[number] ? ChunkState::unloaded : ChunkState::asleep;
+    return chunks_[number] ? ChunkState::loaded : ChunkState::none;
+  }
+  /// Of a chunk that is not asleep.
   Chunk& chunk(std::uint32_t number) const {
-    assert(number != 0 && number < chunks_.size());
+    assert(number != 0 && number < chunks_.size() && chunks_[number]);
     return *chunks_[number];
   }
 
@@ -109,11 +124,9 @@ class Grid {
   void unload(Chunk& chunk, Border border);
   /// It is loaded from now on.
   Border load(Chunk& chunk);
-  /// The chunk of a number with a border. It is made, if there is none: then its cells hold nothing.
+  /// The Chunk of a number in use. It is made, if that is asleep: then its cells hold nothing.
   Chunk& wake(std::uint32_t number);
-  /// Whether all cells hold nothing, if it is a Chunk at all.
-  bool isAsleep(std::uint32_t number) const;
-  /// Takes the Chunk away. The border stays.
+  /// Takes the Chunk of an unloaded one away. The border stays.
   void sleep(std::uint32_t number);
   bool hasLoadedBeside(const Border& border) const;
   /// Calls visit(number) for the unloaded chunks with cells of a rectangle, in no particular order.

@@ -10,10 +10,14 @@ void Ground::commit() {
 }
 
 void Ground::set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
-  const Facts facts = catalogue.use(content);
+  put(at, wordFor(content, lastSerial, polygons), polygons.empty() ? 0 : polygons[0].block, catalogue.facts(content));
+}
+
+/// The content is in use once more.
+CellWord Ground::wordFor(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
+  catalogue.use(content);
   const bool fits = fitsWord(lastSerial, polygons);
-  put(at, fits ? wordOf(content, lastSerial) : makeList(content, lastSerial, polygons),
-      polygons.empty() ? 0 : polygons[0].block, facts);
+  return fits ? wordOf(content, lastSerial) : makeList(content, lastSerial, polygons);
 }
 
 void Ground::beginChunk(const Chunk& chunk) {
@@ -22,9 +26,11 @@ void Ground::beginChunk(const Chunk& chunk) {
     note.value = static_cast<std::uint32_t>(chunk.ci);
     note.block = static_cast<std::uint32_t>(chunk.cj);
   }
-  refreshRimsAround(chunk);
+  if (grid.unloadedCount() != 0) refreshAround(chunk.index);
 }
 
-std::uint64_t Ground::bytes() const { return Cells::bytes() + journal.bytes() + heldBytes(stale_, sleepy_); }
+std::uint64_t Ground::bytes() const {
+  return Cells::bytes() + journal.bytes() + heldBytes(turned_, rims_, spare_, sleepy_);
+}
 
 }  // namespace lgs::detail

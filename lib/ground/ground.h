@@ -87,10 +87,13 @@ class Ground : public Cells {
   using Cells::clearChanges;
   using Cells::setChangedCells;
 
-  // --- Chunks that are not in memory (unloaded.cpp). Their cells hold what the loaded chunks beside them need.
+  /// Whether something changed since the last commit, or a chunk came or went.
+  bool hasChanged() const { return !changedChunks().empty() || !turned_.empty(); }
+
+  // --- Chunks that are not in memory (unloaded.cpp)
 
   /// Forgets the chunks that lie in a rectangle as a whole and hold nothing, and the unloaded ones that no loaded one
-  /// is beside. Returns their numbers. There are no marks, and nothing has changed since the last commit.
+  /// is beside. Returns their numbers. Nobody goes back, and nothing has changed since the last commit.
   std::vector<std::uint32_t> forget(const CellRect& cells);
   /// The loaded chunks, or the unloaded ones, that lie in a rectangle as a whole: their numbers, by rows.
   std::vector<std::uint32_t> chunksWithin(const CellRect& cells, bool areUnloaded) const;
@@ -98,27 +101,33 @@ class Ground : public Cells {
   std::optional<Cell> firstUnloaded(const CellRect& cells) const;
   /// A loaded chunk leaves. The checksum is that of the bytes with which it can come back.
   void unload(std::uint32_t number, std::uint32_t checksum);
-  /// An unloaded chunk comes back. Its cells are for the caller to set(), with and without polygons; then
-  /// refreshRimsAround().
-  Chunk& load(std::uint32_t number);
-  /// The same, and its cells hold nothing. No serial of before is given out again.
-  void loadEmpty(std::uint32_t number);
-  /// After a chunk came or went: the unloaded ones beside it hold what is needed, and nothing else.
-  void refreshRimsAround(const Chunk& chunk);
-  /// Before a commit: refreshes the rims of unloaded chunks beside forgotten ones.
-  void refreshRims() {
-    if (!stale_.empty()) [[unlikely]]
-      refreshStaleRims();
+  /// An unloaded chunk comes back. Some of its cells are `known`; the others, which hold nothing, are for the caller to
+  /// bringBack().
+  Chunk& load(std::uint32_t number, CellMask& known);
+  /// What a cell that comes back holds. It is not noted.
+  void bringBack(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
+    lay(at, wordFor(content, lastSerial, polygons), polygons.empty() ? 0 : polygons[0].block);
   }
-  /// The unloaded chunks whose rims wait for that: a mark keeps them.
-  const std::vector<std::uint32_t>& staleRims() const { return stale_; }
-  void setStaleRims(const std::vector<std::uint32_t>& chunks) { stale_ = chunks; }
-  /// After a commit: frees the Chunk of unloaded chunks with no loaded neighbour. Returns their numbers.
+  /// An unloaded chunk comes back, and holds nothing, now and whenever the world goes back or forward to. No serial of
+  /// before is given out again.
+  void loadEmpty(std::uint32_t number);
+  /// What a cell holds that there is a note of, also if it is unloaded.
+  Held heldNow(std::uint32_t ref);
+  /// The outline of a chunk is to be renewed as a whole.
+  void turn(std::uint32_t number) { turned_.push_back(number); }
+  /// The first part of a commit: cells of chunks that came or went, and of the rims beside them, count as changed.
+  void turnChunks() {
+    if (!turned_.empty() || !rims_.empty() || !spare_.empty()) [[unlikely]]
+      doTurns();
+  }
+  /// The Chunk of a number in use.
+  Chunk& wake(std::uint32_t number) {
+    if (grid.stateOf(number) == ChunkState::asleep) refreshLater(number);
+    return grid.wake(number);
+  }
+  /// The last part of a commit: frees the Chunk of unloaded chunks with no loaded one beside. Returns their numbers.
   std::vector<std::uint32_t> sleep();
-  /// The same while there are marks, which may need them: they are found later.
-  void sleepLater();
-  /// Whether there may be any.
-  bool isSleepy() const { return areSleepyUnknown_ || !sleepy_.empty(); }
+  bool isSleepy() const { return !sleepy_.empty(); }
 
   std::uint64_t bytes() const;
 
@@ -132,18 +141,27 @@ class Ground : public Cells {
     write(at, word, block, facts);
   }
   void noteOrDrop(CellAt at);
+  CellWord wordFor(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
   void beginChunk(const Chunk& chunk);
-  void touchAgain(CellAt at);
-  std::uint32_t keep(const Border& border);
-  Border takeKept(std::uint32_t border);
+  void exchangeCell(Note& note);
+  void exchangeChunk(Note& note);
   using Cells::drop;
-  void setRim(std::uint32_t number, bool isNeeded);
+  std::vector<std::uint32_t> byRows(std::vector<std::uint32_t> numbers) const;
+  CellMask notedCells(std::uint32_t number) const;
+  void wakeRim(std::uint32_t number);
+  void putRimToSleep(std::uint32_t number);
+  void trim(std::uint32_t number);
+  void refreshLater(std::uint32_t number) { rims_.push_back(number); }
+  void refreshAround(std::uint32_t number);
   void refreshRim(std::uint32_t number);
-  void refreshStaleRims();
+  void doTurns();
+  void noteTurn(std::uint32_t number);
 
-  std::vector<std::uint32_t> stale_;   ///< unloaded chunks that forget() left for the next commit
-  std::vector<std::uint32_t> sleepy_;  ///< unloaded chunks that may have become empty since the last commit
-  bool areSleepyUnknown_ = false;      ///< or any unloaded chunk may have
+  // The work of the next commit, as numbers of chunks, which may be there twice or name none any more.
+  std::vector<std::uint32_t> turned_;  ///< those that came, went, or whose outline is of another time
+  std::vector<std::uint32_t> rims_;    ///< unloaded ones: whether a loaded one is beside may have changed
+  std::vector<std::uint32_t> spare_;   ///< unloaded ones: of what is kept there may be less notes
+  std::vector<std::uint32_t> sleepy_;  ///< during a commit: unloaded ones without a loaded one beside
 };
 
 }  // namespace lgs::detail

@@ -45,11 +45,14 @@ class Load {
     cells(corner);
     if (in_.left() != 0) in_.fail(What::tooLong);
     if (in_.failed()) return {};
-    Chunk& chunk = border ? ground_.load(number) : *ground_.obtain(corner).chunk;
-    for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
-      if (at.word() != 0) ground_.set(at, kEmptyContent, 0, {});  // at the rim
-    fill(chunk);
-    ground_.refreshRimsAround(chunk);
+    if (!border) {
+      fill(*ground_.obtain(corner).chunk);
+      return corner;
+    }
+    CellMask known;
+    Chunk& chunk = ground_.load(number, known);
+    for (const Filled& f : filled_)
+      if (!contains(known, f.local)) ground_.bringBack({&chunk, f.local}, f.content, f.lastSerial, placed(f));
     return corner;
   }
 

@@ -1,9 +1,12 @@
-// Chunks that leave memory, and come back. Of an unloaded chunk the border stays known (border.h). While a loaded chunk
-// is beside it, its cells at the rim hold what they held, so that a commit can show and link them as ever: what is
-// loaded gets the segments and ghosts that it has in the whole world (law 14). Otherwise its cells hold nothing, and it
-// need not be a Chunk.
+// Chunks that leave memory, and come back: which the ground has, and not what it is. So none of it is noted, and nobody
+// goes back across it.
 //
-// Cells are emptied and filled by put(), as edits do it. So marks go back across it.
+// Of an unloaded chunk the border stays known (border.h). While a loaded chunk is beside it, its cells at the rim hold
+// what they held, so that a commit can show and link them as ever: what is loaded gets the segments and ghosts that it
+// has in the whole world (law 14). Otherwise it is asleep. Going back changes what a cell is, loaded or not: of each
+// cell that there is a note of the border keeps what it is, and not what the bytes say.
+//
+// Whatever turns goes into one list of work. The next commit does it all, in the order of places.
 #include "geometry/sort.h"
 #include "ground/ground.h"
 
@@ -24,31 +27,36 @@ bool isWithin(const CellRect& cells, std::int32_t ci, std::int32_t cj) {
   return fits(ci, cells.min.i, cells.max.i) && fits(cj, cells.min.j, cells.max.j);
 }
 
-bool isAtRim(std::uint32_t local) { return !isInner(local); }
-
 }  // namespace
 
 // --- Which chunks
 
-std::vector<std::uint32_t> Ground::chunksWithin(const CellRect& cells, bool areUnloaded) const {
+std::vector<std::uint32_t> Ground::byRows(std::vector<std::uint32_t> numbers) const {
   constexpr std::int32_t kHalf = 1 << 26;  // columns and rows of chunks are less far from 0
-  std::vector<std::uint64_t> places;       // row and column: they sort as numbers
-  const auto take = [&](std::int32_t ci, std::int32_t cj) {
-    if (isWithin(cells, ci, cj))
-      places.push_back(static_cast<std::uint64_t>(cj + kHalf) << 32 | static_cast<std::uint64_t>(ci + kHalf));
-  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
+  for (const std::uint32_t number : numbers)
+    if (const auto place = grid.placeOf(number))
+      places.emplace_back(
+          static_cast<std::uint64_t>(place->second + kHalf) << 32 | static_cast<std::uint64_t>(place->first + kHalf),
+          number);
+  detail::sort(places);
+  numbers.clear();
+  for (const auto& place : places)
+    if (numbers.empty() || numbers.back() != place.second) numbers.push_back(place.second);
+  return numbers;
+}
+
+std::vector<std::uint32_t> Ground::chunksWithin(const CellRect& cells, bool areUnloaded) const {
+  std::vector<std::uint32_t> numbers;
   if (areUnloaded)
-    grid.forEachUnloaded(cells, [&](std::uint32_t k) { take(grid.border(k)->ci, grid.border(k)->cj); });
+    grid.forEachUnloaded(cells, [&](std::uint32_t k) {
+      if (isWithin(cells, grid.border(k)->ci, grid.border(k)->cj)) numbers.push_back(k);
+    });
   else
     grid.forEachChunk(cells, [&](const Chunk& c) {
-      if (!c.isUnloaded) take(c.ci, c.cj);
+      if (!c.isUnloaded && isWithin(cells, c.ci, c.cj)) numbers.push_back(c.index);
     });
-  detail::sort(places);
-  std::vector<std::uint32_t> numbers;
-  for (const std::uint64_t place : places)
-    numbers.push_back(grid.numberAt(static_cast<std::int32_t>(place & 0xffff'ffff) - kHalf,
-                                    static_cast<std::int32_t>(place >> 32) - kHalf));
-  return numbers;
+  return byRows(std::move(numbers));
 }
 
 std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
@@ -62,7 +70,7 @@ std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
 }
 
 std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
-  assert(changedChunks().empty());
+  assert(!hasChanged());
   std::vector<std::uint32_t> gone;
   for (const std::uint32_t number : chunksWithin(cells, false))
     if (std::ranges::all_of(grid.chunk(number).cells, [&](CellWord word) { return holdsNothing(word); }))
@@ -70,14 +78,15 @@ std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
   for (const std::uint32_t number : gone) {
     const Chunk& chunk = grid.chunk(number);
     for (const Chunk* beside : chunk.around)
-      if (beside && beside->isUnloaded) stale_.push_back(beside->index);
+      if (beside && beside->isUnloaded) refreshLater(beside->index);
     for (const CellWord word : chunk.cells) drop(word);
     grid.forget(number);
   }
   for (const std::uint32_t number : chunksWithin(cells, true)) {
     const Border& border = *grid.border(number);
-    if (!grid.isAsleep(number) || grid.hasLoadedBeside(border)) continue;
+    if (grid.stateOf(number) != ChunkState::asleep || grid.hasLoadedBeside(border)) continue;
     for (const Border::Run& run : border.runs) drop(run.word);
+    for (const Border::Kept& kept : border.kept) drop(kept.word);
     grid.forget(number);
     gone.push_back(number);
   }
@@ -86,110 +95,179 @@ std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
 
 // --- Leaving and coming back
 
-void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
-  Chunk& chunk = grid.chunk(number);
-  std::uint32_t lastSerial = 0;
-  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
-    lastSerial = std::max(lastSerial, this->lastSerial(at));
-  if (journal.isOn() && !journal.isNoted(Thing::border, number)) journal.add(Thing::border, number);
-  Border border = borderOf(chunk);
-  border.checksum = checksum;
-  border.lastSerial = lastSerial;
-  grid.unload(chunk, std::move(border));
-  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
-    if (isAtRim(at.local) && !holdsNothing(at.word()))
-      touchAgain(at);  // its segments are hidden from now on
-    else if (at.word() != 0)
-      put(at, 0, 0, 0);
-  }
-  if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
-  refreshRim(number);
-  refreshRimsAround(chunk);
+/// The cells of a chunk that there are notes of, of what may come back too.
+CellMask Ground::notedCells(std::uint32_t number) const {
+  CellMask noted{};
+  if (!journal.isOn()) return noted;
+  for (std::uint32_t local = 0; local < kChunkCells; ++local)
+    if (journal.isNotedEver(Thing::cell, number * kChunkCells + local)) insert(noted, local);
+  for (const Note& note : journal.undone())
+    if (note.thing == Thing::cell && note.key / kChunkCells == number) insert(noted, note.key % kChunkCells);
+  return noted;
 }
 
-Chunk& Ground::load(std::uint32_t number) {
-  Chunk& chunk = grid.wake(number);
-  const Border border = grid.load(chunk);
-  if (journal.isOn() && !journal.isNoted(Thing::border, number)) {
-    journal.add(Thing::border, number).value = keep(border);
-  } else {
-    for (const Border::Run& run : border.runs) drop(run.word);
+void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
+  Chunk& chunk = grid.chunk(number);
+  const CellMask noted = notedCells(number);
+  Border border;
+  border.checksum = checksum;
+  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
+    border.lastSerial = std::max(border.lastSerial, lastSerial(at));
+    const bool isNoted = contains(noted, at.local), isRim = isAtRim(at.local);
+    if (isNoted)
+      border.kept.push_back(isRim ? Border::Kept{at.local} : Border::Kept{at.local, at.word(), chunk.block(at.local)});
+    if (isRim && (isNoted || !holdsNothing(at.word()))) continue;
+    if (!isNoted) drop(at.word());
+    lay(at, 0, 0);
   }
-  if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
+  shrink(border.kept);
+  grid.unload(chunk, std::move(border));
+  turn(number);
+}
+
+Chunk& Ground::load(std::uint32_t number, CellMask& known) {
+  wakeRim(number);
+  Chunk& chunk = grid.chunk(number);
+  const Border border = grid.load(chunk);
+  known = {};
+  for (const Border::Kept& kept : border.kept) {
+    insert(known, kept.local);
+    if (!isAtRim(kept.local)) lay({&chunk, kept.local}, kept.word, kept.block);
+  }
+  for (std::uint32_t k = 0; k < kRimCells; ++k) {
+    const CellAt at{&chunk, rimCell(k)};
+    if (contains(known, at.local)) continue;
+    drop(at.word());
+    lay(at, 0, 0);
+  }
+  turn(number);
   return chunk;
 }
 
 void Ground::loadEmpty(std::uint32_t number) {
   const std::uint32_t lastSerial = grid.border(number)->lastSerial;
-  Chunk& chunk = load(number);
-  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
-    if (inRange(at.cell()) && (at.word() != 0 || lastSerial != 0)) set(at, kEmptyContent, lastSerial, {});
-  refreshRimsAround(chunk);
-}
-
-/// A cell counts as changed, and holds what it held.
-void Ground::touchAgain(CellAt at) {
-  if (journal.isOn() && !journal.isNoted(Thing::cell, at.ref())) {
-    const CellWord again = copyOf(at.word());
-    noteOrDrop(at);
-    at.word() = again;
-  }
-  touch(at, at.chunk->facts[at.local]);
-}
-
-// --- What an unloaded chunk holds
-
-/// The cells at its rim hold what they held, if somebody needs that, or nothing.
-void Ground::setRim(std::uint32_t number, bool isNeeded) {
-  sleepy_.push_back(number);
-  if (!isNeeded && grid.isAsleep(number)) return;
-  Chunk& chunk = grid.wake(number);
-  grid.border(number)->forEachCell([&](std::uint32_t local, const Border::Run& run) {
-    const CellAt at{&chunk, local};
-    if (run.word == 0 || (at.word() != 0) == isNeeded) return;
-    if (isNeeded)
-      put(at, copyOf(run.word), run.block, static_cast<Facts>(run.facts));
-    else
-      put(at, 0, 0, 0);
+  journal.forEach([&](Note& note) {
+    if (note.thing != Thing::cell || note.key / kChunkCells != number) return;
+    dropMoved(note.value, journal);
+    note.value = moveOut(emptyWord(lastSerial), journal);
   });
+  CellMask known;
+  Chunk& chunk = load(number, known);
+  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
+    drop(at.word());
+    lay(at, inRange(at.cell()) ? emptyWord(lastSerial) : 0, 0);
+  }
 }
 
-/// Of a number that may be none, or that of a loaded chunk.
-void Ground::refreshRim(std::uint32_t number) {
-  if (number == Grid::kNoNumber) return;
-  if (const Border* border = grid.border(number)) setRim(number, grid.hasLoadedBeside(*border));
+Ground::Held Ground::heldNow(std::uint32_t ref) {
+  const std::uint32_t number = ref / kChunkCells, local = ref % kChunkCells;
+  if (Border* border = grid.border(number)) {
+    if (!isAtRim(local)) {
+      const Border::Kept& kept = border->keptAt(local);
+      return held(ref, kept.word, kept.block);
+    }
+    wakeRim(number);
+  }
+  return held(CellAt{&grid.chunk(number), local});
 }
 
-void Ground::refreshRimsAround(const Chunk& chunk) {
-  if (grid.unloadedCount() == 0) return;
+// --- Awake and asleep
+
+void Ground::wakeRim(std::uint32_t number) {
+  Border& border = *grid.border(number);
+  Chunk& chunk = grid.wake(number);
+  if (border.isAwake) return;
+  border.isAwake = true;
+  std::uint32_t k = 0;
+  for (const Border::Run& run : std::exchange(border.runs, {}))
+    for (std::uint32_t n = 0; n < run.cells; ++n)
+      lay({&chunk, rimCell(k++)}, n == 0 ? run.word : copyOf(run.word), run.block);
+  refreshLater(number);
+}
+
+void Ground::putRimToSleep(std::uint32_t number) {
+  Border& border = *grid.border(number);
+  if (!border.isAwake) return;
+  border.isAwake = false;
+  Chunk& chunk = grid.chunk(number);
+  for (std::uint32_t k = 0; k < kRimCells; ++k) {
+    const CellAt at{&chunk, rimCell(k)};
+    const CellWord word = at.word();
+    const Block block = hasSole(word) ? chunk.block(at.local) : 0;
+    Border::Run* last = border.runs.empty() ? nullptr : &border.runs.back();
+    if (last && !isListed(word) && last->word == word && last->block == block) {
+      ++last->cells;
+      drop(word);
+    } else {
+      border.runs.push_back({1, word, block});
+    }
+    lay(at, 0, 0);
+  }
+  shrink(border.runs);
+}
+
+/// Kept cells that nobody can go back to any more are as the bytes say, unless the world went back since.
+void Ground::trim(std::uint32_t number) {
+  Border& border = *grid.border(number);
+  if (border.kept.empty() || border.isOwed) return;
+  const CellMask noted = notedCells(number);
+  std::erase_if(border.kept, [&](const Border::Kept& kept) {
+    if (contains(noted, kept.local)) return false;
+    drop(kept.word);
+    return true;
+  });
+  giveBackSpare(border.kept);
+}
+
+// --- The work of the next commit
+
+void Ground::doTurns() {
+  std::vector<std::uint32_t> rims;
+  for (const std::uint32_t number : byRows(std::exchange(turned_, {}))) {
+    noteTurn(number);
+    touchAll(grid.wake(number));
+    refreshAround(number);
+  }
+  for (const std::uint32_t number : byRows(std::exchange(rims_, {}))) refreshRim(number);
+  rims_.clear();  // those that were woken just now
+  for (const std::uint32_t number : byRows(std::exchange(spare_, {})))
+    if (grid.border(number)) trim(number);
+}
+
+/// The outline of a chunk changes by what is loaded, and is another one after going back beyond that.
+void Ground::noteTurn(std::uint32_t number) {
+  if (journal.isOn() && !journal.isNoted(Thing::turn, number)) journal.add(Thing::turn, number);
+}
+
+void Ground::refreshAround(std::uint32_t number) {
+  const auto [ci, cj] = *grid.placeOf(number);
   for (std::int32_t dj = -1; dj <= 1; ++dj)
     for (std::int32_t di = -1; di <= 1; ++di)
-      if (di != 0 || dj != 0) refreshRim(grid.numberAt(chunk.ci + di, chunk.cj + dj));
+      if (const std::uint32_t there = grid.numberAt(ci + di, cj + dj); grid.border(there)) refreshLater(there);
 }
 
-void Ground::refreshStaleRims() {
-  for (const std::uint32_t number : std::exchange(stale_, {})) refreshRim(number);
-}
-
-// --- Chunks that are no Chunk
-
-void Ground::sleepLater() {
-  areSleepyUnknown_ = true;
-  sleepy_.clear();
+/// The cells at the rim of an unloaded chunk hold what they held, if somebody needs that, or nothing.
+void Ground::refreshRim(std::uint32_t number) {
+  const Border* border = grid.border(number);
+  if (!border) return;
+  if (grid.hasLoadedBeside(*border)) {
+    wakeRim(number);
+  } else {
+    putRimToSleep(number);
+    sleepy_.push_back(number);
+  }
+  if (grid.stateOf(number) == ChunkState::asleep) return;
+  noteTurn(number);
+  Chunk& chunk = grid.chunk(number);
+  for (std::uint32_t k = 0; k < kRimCells; ++k) touch({&chunk, rimCell(k)}, chunk.facts[rimCell(k)]);
 }
 
 std::vector<std::uint32_t> Ground::sleep() {
-  if (std::exchange(areSleepyUnknown_, false)) {
-    sleepy_.clear();
-    grid.forEachUnloaded(kWholeWorld, [&](std::uint32_t number) { sleepy_.push_back(number); });
-  }
-  std::vector<std::uint32_t> asleep;
-  for (const std::uint32_t number : sleepy_) {
-    if (!grid.border(number) || !grid.isAsleep(number)) continue;
-    grid.sleep(number);
-    asleep.push_back(number);
-  }
-  sleepy_.clear();
+  std::vector<std::uint32_t> asleep = std::exchange(sleepy_, {});
+  std::erase_if(asleep, [&](std::uint32_t number) {
+    return grid.stateOf(number) != ChunkState::unloaded || grid.border(number)->isAwake;
+  });
+  for (const std::uint32_t number : asleep) grid.sleep(number);
   return asleep;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -118,14 +119,25 @@ void Outline::exchange(const Grid& grid, Journal& journal, Note& note) {
 }
 
 void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32_t> ids, Changes& changes,
-                   const std::function<void()>& go) {
+                   const std::function<void()>& go, const std::function<bool()>& turn) {
   detail::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // clang 14 does not take the one of std::ranges
   const SeenById before = look(grid, *this, ids);
+  const std::uint64_t version = version_;
   go();
   segments.setLength(state.ids);
-  const SeenById after = look(grid, *this, ids);
+  version_ = state.version;
   changes = {};
+  if (turn()) {  // what is not noted was until then as it was before
+    const auto take = [&](const std::vector<SegmentId>& of, std::vector<SegmentId>& to) {
+      std::ranges::copy_if(of, std::back_inserter(to),
+                           [&](SegmentId id) { return !std::ranges::binary_search(ids, id.value); });
+    };
+    take(this->changes().removed, changes.removed);
+    take(this->changes().added, changes.added);
+    take(this->changes().relinked, changes.relinked);
+  }
+  const SeenById after = look(grid, *this, ids);
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const SegmentId id{ids[k]};
     const auto &then = before[k], &now = after[k];
@@ -134,8 +146,9 @@ void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32
     if (now && !same) changes.added.push_back(id);
     if (same && (then->ghost1 != now->ghost1 || then->ghost2 != now->ghost2)) changes.relinked.push_back(id);
   }
-  changes.before = version_;
-  if (!changes.removed.empty() || !changes.added.empty() || !changes.relinked.empty()) version_ = state.version;
+  for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
+  if (changes.removed.empty() && changes.added.empty() && changes.relinked.empty()) version_ = version;
+  changes.before = version;
   changes.after = version_;
 }
 

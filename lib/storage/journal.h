@@ -35,7 +35,7 @@ namespace lgs::detail {
 enum class Thing : std::uint8_t {
   cell,     ///< the word of a cell, and its block
   chunk,    ///< that there is this chunk; the note has its place
-  border,   ///< the border of an unloaded chunk; none if it is loaded
+  turn,     ///< that the outline of a chunk was renewed, since it or one beside it came or went
   segment,  ///< the record of a segment; none if it was not alive
   list,     ///< the list of segments that a cell shows; none if it showed nothing
   freeId,   ///< an entry in the list of free ids
@@ -48,6 +48,7 @@ struct Note {
   std::uint32_t key = 0;
   Thing thing = Thing::cell;
   bool wasClean = false;    ///< of a cell: it had not changed since the commit before
+  bool isMoot = false;      ///< of a chunk: it is there before and after
   std::uint32_t value = 0;  ///< what the thing held, or a reference to words that the journal keeps
   std::uint32_t block = 0;  ///< of a cell
 };
@@ -70,8 +71,6 @@ class Journal {
   template <class Drop>
   void letGo(Moment moment, Drop&& drop);
   bool has(Moment moment) const { return std::ranges::binary_search(places_, moment, {}, &Place::moment); }
-  /// Whether nothing was noted since.
-  bool isNow(Moment moment) const { return places_[indexOf(moment)].begin == notes_.size(); }
   /// Whether the one was before the other, and something was noted in between.
   bool isEarlier(Moment a, Moment b) const { return places_[indexOf(a)].begin < places_[indexOf(b)].begin; }
 
@@ -83,17 +82,26 @@ class Journal {
   }
   /// Whether it was since the latest one. Then no note is needed.
   bool isNoted(Thing thing, std::uint32_t key) const { return isNotedSince(latest_, thing, key); }
+  /// Whether there is a note of it, but for those that are undone.
+  bool isNotedEver(Thing thing, std::uint32_t key) const { return newest_.find(keyOf(thing, key)) != 0; }
   /// Before a thing changes that is not noted: the caller says what it holds.
   Note& add(Thing thing, std::uint32_t key);
   /// Those since a moment, in the order in which they were made. The first of a thing, which says what it held at that
   /// moment, displaced a note of before it.
   std::span<const Note> since(Moment moment) const { return std::span(notes_).subspan(places_[indexOf(moment)].begin); }
 
+  /// Those that are undone and can come back, the next one last.
+  std::span<const Note> undone() const { return undone_; }
   /// Calls visit(note) for each that is there, undone or not.
   template <class Visit>
   void forEach(Visit&& visit) const {
     for (const Note& note : std::span(notes_).subspan(dropped_)) visit(note);
     for (const Note& note : undone_) visit(note);
+  }
+  template <class Visit>
+  void forEach(Visit&& visit) {
+    for (Note& note : std::span(notes_).subspan(dropped_)) visit(note);
+    for (Note& note : undone_) visit(note);
   }
   /// Whether moments and notes are in order.
   bool isValid() const;

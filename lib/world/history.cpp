@@ -8,6 +8,17 @@
 #include <utility>
 
 namespace lgs::detail {
+namespace {
+
+/// The ids that notes name, each maybe several times.
+std::vector<std::uint32_t> segmentsIn(std::span<const Note> notes) {
+  std::vector<std::uint32_t> ids;
+  for (const Note& note : notes)
+    if (note.thing == Thing::segment) ids.push_back(note.key);
+  return ids;
+}
+
+}  // namespace
 
 History::History(const History& other, Ground& ground, Outline& outline)
     : ground_(ground),
@@ -31,7 +42,7 @@ Mark History::mark(Of of) {
   const Mark mark{numbers_.next()};  // greater than all before, also in a copy
   if (committed_ != 0) ground_.journal.hold(committed_);
   marks_.push_back({mark, of, ground_.journal.begin(), committed_, ground_.catalogue.shapeCount(), outline_.state(),
-                    isOfGroup ? Ground::ChangedCells() : ground_.changedCells(), ground_.staleRims()});
+                    isOfGroup ? Ground::ChangedCells() : ground_.changedCells()});
   return mark;
 }
 
@@ -66,15 +77,13 @@ std::vector<Cell> History::editedSince(Mark mark) const {
 
 void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   assert(knows(mark));
-  if (!ahead_.empty()) leave(*find(mark), undone);
+  const Marked& found = *find(mark);
+  const bool keeps = keepsAhead(found, undone), isFromWent = keeps && undone == Undone::keep;
+  if (!keeps) forgetUndone();
   keepOneMark(mark, undone);
   const Marked& to = marks_.back();
-  const auto drop = [this](const Note& note) { ground_.drop(note); };
-  const auto undo = [&](Moment moment) {
-    ground_.journal.undoTo(
-        moment, undone, [this](Note& note) { exchange(note); }, drop);
-  };
-  go(to, CellChanges::Way::back, ground_.journal.since(to.moment), changes, undo);
+  travel(to, isFromWent, segmentsIn(ground_.journal.since(to.moment)), changes,
+         [&](Moment moment) { undo(moment, undone); });
   while (ground_.catalogue.shapeCount() > to.shapes) {
     InternedShape shape = ground_.catalogue.takeShape();
     if (undone == Undone::keep) undoneShapes_.push_back(std::move(shape));
@@ -92,16 +101,12 @@ void History::keepOneMark(Mark mark, Undone undone) {
   }
 }
 
-/// Before it goes back: what is ahead stays if the world goes no further than to where it went, or goes further from
-/// there and keeps that, too.
-void History::leave(const Marked& to, Undone undone) {
-  if (undone == Undone::drop) {
-    if (ground_.journal.isEarlier(to.moment, went_)) forgetUndone();
-  } else if (isWhereItWent() && marks_.back().mark <= wentTo_) {
-    ground_.letGo(std::exchange(went_, 0));
-  } else {
-    forgetUndone();
-  }
+/// Whether what is ahead stays: the world goes back no further than to where it went, or goes further from there and
+/// keeps that, too.
+bool History::keepsAhead(const Marked& to, Undone undone) const {
+  if (ahead_.empty()) return false;
+  if (undone == Undone::drop) return !ground_.journal.isEarlier(to.moment, went_);
+  return isWhereItWent() && marks_.back().mark <= wentTo_;
 }
 
 void History::setWent(const Marked& to) {
@@ -114,7 +119,8 @@ void History::setWent(const Marked& to) {
 
 /// Whether nothing was edited since the world went back or forward, nor a shape made.
 bool History::isWhereItWent() const {
-  return ground_.journal.isNow(went_) && ground_.catalogue.shapeCount() == wentShapes_;
+  const auto isOfEdit = [](const Note& note) { return note.thing == Thing::cell || note.thing == Thing::chunk; };
+  return ground_.catalogue.shapeCount() == wentShapes_ && std::ranges::none_of(ground_.journal.since(went_), isOfEdit);
 }
 
 bool History::isAhead(Mark mark) const {
@@ -129,45 +135,84 @@ void History::rollForward(Mark mark, Changes& changes) {
     ahead_.pop_back();
   } while (marks_.back().mark != mark);
   const Marked& to = marks_.back();
-  const auto drop = [this](const Note& note) { ground_.drop(note); };
-  const auto redo = [&](Moment moment) {
+  std::vector<std::uint32_t> ids = segmentsIn(ground_.journal.since(went_));
+  const std::vector<std::uint32_t> more = segmentsIn(ground_.journal.upTo(to.moment));
+  ids.insert(ids.end(), more.begin(), more.end());
+  travel(to, true, std::move(ids), changes, [&](Moment moment) {
     ground_.journal.redoTo(
-        moment, [this](Note& note) { exchange(note); }, drop);
-  };
-  go(to, CellChanges::Way::forth, ground_.journal.upTo(to.moment), changes, redo);
+        moment, [this](Note& note) { exchange(note); }, [this](const Note& note) { ground_.drop(note); });
+  });
   for (; ground_.catalogue.shapeCount() < to.shapes; undoneShapes_.pop_back())
     ground_.catalogue.putShape(std::move(undoneShapes_.back()));
   setWent(to);
   if (ahead_.empty()) forgetUndone();
 }
 
-/// Goes to a mark by go(moment), which exchanges the notes up to a moment. Followers never saw the edits that are
-/// pending, here or there: so they are told what is different between the last commit before the one and the other.
+/// Goes to a mark by go(moment), which exchanges the notes up to a moment; from where the world went last, or from where
+/// it is.
 template <class Go>
-void History::go(const Marked& to, CellChanges::Way way, std::span<const Note> notes, Changes& changes, Go&& go) {
-  std::vector<std::uint32_t> ids;
-  for (const Note& note : notes)
-    if (note.thing == Thing::segment) ids.push_back(note.key);
-  outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, [&] {
+void History::travel(const Marked& to, bool isFromWent, std::vector<std::uint32_t> ids, Changes& changes, Go&& go) {
+  const auto goThere = [&] {
     ground_.clearChanges();
     cellChanges_.clear();
-    if (to.committed != committed_) {
-      const bool isBack = way == CellChanges::Way::back;
-      go(isBack ? committed_ : to.committed);
-      cellChanges_.read(ground_, isBack ? to.committed : committed_, way);
-      ground_.journal.hold(to.committed);
-      ground_.letGo(std::exchange(committed_, to.committed));
-    }
+    if (isFromWent) returnToWent();
+    if (committed_ != 0) tell(to, go);
     go(to.moment);
     ground_.setChangedCells(to.changed);
-    ground_.setStaleRims(to.staleRims);
-  });
+  };
+  outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, goThere, [&] { return turnAtOnce(to); });
+}
+
+/// Followers never saw the edits that are pending, here or there: so they are told what is different between the last
+/// commit before the one and the other.
+template <class Go>
+void History::tell(const Marked& to, Go&& go) {
+  using enum CellChanges::Way;
+  if (to.committed == committed_) return cellChanges_.read(ground_, committed_, stay);
+  if (ground_.journal.isAhead(to.committed)) {
+    go(to.committed);
+    cellChanges_.read(ground_, committed_, forth);
+  } else {
+    if (!ground_.journal.isAhead(to.moment)) go(committed_);
+    cellChanges_.read(ground_, to.committed, back);
+  }
+  ground_.journal.hold(to.committed);
+  ground_.letGo(std::exchange(committed_, to.committed));
+}
+
+/// Undoes the commits since the world went back or forward. Nothing was edited since, but edits that were pending may
+/// have been told.
+void History::returnToWent() {
+  if (committed_ > went_) {
+    ground_.journal.hold(went_);
+    ground_.letGo(std::exchange(committed_, went_));
+  }
+  undo(went_, Undone::drop);
+  ground_.letGo(std::exchange(went_, 0));
+}
+
+/// Chunks that came or went since the mark are shown and hidden, unless edits are pending there. Whether it is done.
+bool History::turnAtOnce(const Marked& to) {
+  if (!to.changed.empty()) return false;
+  renewOutline({});
+  const bool isDone = !ground_.changedChunks().empty();
+  if (isDone && !ground_.journal.isNoted(Thing::commit, 0)) ground_.journal.add(Thing::commit, 0);
+  ground_.commit();
+  freeSleeping();
+  return isDone;
+}
+
+void History::undo(Moment moment, Undone undone) {
+  ground_.journal.undoTo(
+      moment, undone, [this](Note& note) { exchange(note); }, [this](const Note& note) { ground_.drop(note); });
 }
 
 void History::exchange(Note& note) {
   switch (note.thing) {
-    case Thing::segment:
     case Thing::list:
+      ground_.wake(note.key / kChunkCells);
+      [[fallthrough]];
+    case Thing::segment:
     case Thing::freeId:
     case Thing::hidden:
       return outline_.exchange(ground_.grid, ground_.journal, note);
@@ -195,10 +240,22 @@ void History::forgetUndone() {
 
 // --- Commits, and followers
 
+void History::renewOutline(const Executor& executor) {
+  ground_.turnChunks();
+  outline_.update(ground_, hasMarks() ? &ground_.journal : nullptr, executor);
+}
+
+/// Frees what takes part in no commit.
+void History::freeSleeping() {
+  const std::vector<std::uint32_t> chunks = ground_.sleep();
+  for (const std::uint32_t chunk : chunks) outline_.lists.forget(chunk);
+  if (!chunks.empty() && !hasMarks()) outline_.giveBackPages();
+}
+
 /// Somebody may go back, or follows.
 void History::noteCommit() {
   Journal& journal = ground_.journal;
-  if (committed_ != 0) cellChanges_.read(ground_, committed_, CellChanges::Way::commit);
+  if (committed_ != 0) cellChanges_.read(ground_, committed_, CellChanges::Way::forth);
   if (ground_.changedChunks().empty()) return;
   if (!journal.isNoted(Thing::commit, 0)) journal.add(Thing::commit, 0);
   if (committed_ == 0) return;
@@ -209,6 +266,7 @@ void History::noteCommit() {
 void History::follow(bool follow) {
   if (follow == (committed_ != 0)) return;
   cellChanges_.clear();
+  cellChanges_.forgetTurns();
   if (follow)
     committed_ = ground_.journal.begin();
   else
@@ -218,7 +276,7 @@ void History::follow(bool follow) {
 std::uint64_t History::bytes() const {
   std::uint64_t sum = heldBytes(marks_, ahead_, undoneShapes_) + cellChanges_.bytes();
   for (const auto* marks : {&marks_, &ahead_})
-    for (const Marked& mark : *marks) sum += heldBytes(mark.changed, mark.staleRims);
+    for (const Marked& mark : *marks) sum += heldBytes(mark.changed);
   return sum;
 }
 

@@ -1,9 +1,13 @@
-// The marks of a world, and going back to them. Ground and outline note in one journal what they held, and a mark is a
-// moment of that, with what is small enough to be kept as it is. What was undone can be kept. Then the marks that the
-// world went back beyond are kept, too, and it can go forward to them as long as it is where it went: an edit since, and
-// what was undone is worth nothing any more.
+// Commits, the marks of a world, and going back to them. Ground and outline note in one journal what they held, and a
+// mark is a moment of that, with what is small enough to be kept as it is. What was undone can be kept. Then the marks
+// that the world went back beyond are kept, too, and it can go forward to them until something is edited.
 //
-// A commit that finds nothing to do is none: it ends no group, and no redo.
+// Which chunks are in memory is no part of that. Once the world has gone back or forward, the outline is that of then,
+// with the chunks that were loaded then. Those that came or went since turn, as they do in a commit: at once, unless
+// edits are pending there, which the next commit shows with them. Commits since the world went back are undone before
+// it goes forward.
+//
+// A commit that finds nothing to do is none: it ends no group.
 #pragma once
 
 #include "ground/cell_changes.h"
@@ -55,19 +59,28 @@ class History {
 
   // --- Commits
 
-  /// Where the outline notes what it changes; null if nobody may go back beyond a commit.
-  Journal* journal() const { return hasMarks() ? &ground_.journal : nullptr; }
-  /// The last part of a commit: from now on nothing has changed.
-  void commit() {
+  /// Brings the outline up to date with what changed: changes() of it says how.
+  void commit(const Executor& executor) {
+    renewOutline(executor);
     if (ground_.journal.isOn()) [[unlikely]]
       noteCommit();
     ground_.commit();
+    if (ground_.isSleepy()) [[unlikely]]
+      freeSleeping();
   }
 
   // --- Followers of the ground
 
   /// There is no mark, and nothing has changed since the last commit.
   void follow(bool follow);
+  /// A chunk is about to leave.
+  void leaves(std::uint32_t chunk) {
+    if (committed_ != 0) cellChanges_.leaves(ground_, committed_, chunk);
+  }
+  /// An unloaded chunk has come back.
+  void comesBack(std::uint32_t chunk) {
+    if (committed_ != 0) cellChanges_.comesBack(chunk);
+  }
   /// What the last commit, rollBack() or rollForward() changed, if somebody follows.
   const CellChanges& cellChanges() const { return cellChanges_; }
 
@@ -81,20 +94,26 @@ class History {
     Moment committed = 0;  ///< as that of the history, which it holds
     std::uint64_t shapes = 0;
     Outline::State outline;
-    Ground::ChangedCells changed;          ///< of a game's mark
-    std::vector<std::uint32_t> staleRims;  ///< the same
+    Ground::ChangedCells changed;  ///< of a game's mark
   };
 
   std::vector<Marked>::const_iterator find(Mark mark) const;
+  void renewOutline(const Executor& executor);
+  void noteCommit();
+  void freeSleeping();
   void letGo(const Marked& mark);
   void keepOneMark(Mark mark, Undone undone);
   bool isWhereItWent() const;
   void setWent(const Marked& to);
-  void leave(const Marked& to, Undone undone);
+  bool keepsAhead(const Marked& to, Undone undone) const;
   template <class Go>
-  void go(const Marked& to, CellChanges::Way way, std::span<const Note> notes, Changes& changes, Go&& go);
+  void travel(const Marked& to, bool isFromWent, std::vector<std::uint32_t> ids, Changes& changes, Go&& go);
+  template <class Go>
+  void tell(const Marked& to, Go&& go);
+  void returnToWent();
+  bool turnAtOnce(const Marked& to);
+  void undo(Moment moment, Undone undone);
   void exchange(Note& note);
-  void noteCommit();
   void forgetUndone();
 
   Ground& ground_;

@@ -1,5 +1,6 @@
 #include "world/validate.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <map>
@@ -22,9 +23,9 @@ class Validation {
       }
     }
     for (std::uint32_t number = 1; number <= ground_.grid.highest(); ++number)
-      if (const Border* border = ground_.grid.border(number))
-        for (const Border::Run& run : border->runs) use(ground_.contentOf(run.word));
+      if (const Border* border = ground_.grid.border(number)) lookAtBorder(number, *border);
     ground_.forEachNotedContent([&](ContentId content) { use(content); });
+    ground_.journal.forEach([&](const Note& note) { lookAtNote(note); });
     lookAtUsers();
     lookAtIds();
     assert(ground_.journal.isValid());
@@ -42,6 +43,21 @@ class Validation {
       [[maybe_unused]] const Chunk* beside = chunk.neighbour(di, dj);
       assert(!beside || (beside->index == number && beside->neighbour(-di, -dj) == &chunk));
     }
+  }
+
+  void lookAtBorder([[maybe_unused]] std::uint32_t number, const Border& border) {
+    assert(border.isAwake == border.runs.empty());
+    assert(border.isAwake || ground_.grid.stateOf(number) == ChunkState::asleep);
+    assert(std::ranges::is_sorted(border.kept, {}, &Border::Kept::local));
+    for (const Border::Run& run : border.runs) use(ground_.contentOf(run.word));
+    for (const Border::Kept& kept : border.kept) use(ground_.contentOf(kept.word));
+  }
+
+  /// Of an unloaded chunk each cell is known that there is a note of.
+  void lookAtNote(const Note& note) const {
+    if (note.thing != Thing::cell) return;
+    if ([[maybe_unused]] const Border* border = ground_.grid.border(note.key / kChunkCells))
+      assert(std::ranges::binary_search(border->kept, note.key % kChunkCells, {}, &Border::Kept::local));
   }
 
   void lookAtCell(CellAt at) {

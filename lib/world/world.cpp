@@ -187,17 +187,7 @@ Expected<std::uint64_t> World::clearRect(const CellRect& cells) noexcept { retur
 
 const Changes& World::commit() noexcept { return commit({}); }
 const Changes& World::commit(const Executor& executor) noexcept {
-  impl_->ground.refreshRims();
-  impl_->outline.update(impl_->ground, impl_->history.journal(), executor);
-  impl_->history.commit();
-  if (impl_->ground.isSleepy()) [[unlikely]] {
-    if (impl_->history.hasMarks()) {
-      impl_->ground.sleepLater();
-    } else {
-      for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
-      impl_->outline.giveBackPages();
-    }
-  }
+  impl_->history.commit(executor);
 #ifndef NDEBUG
   // Now and then, as it looks at everything; not for ever, as it takes memory, and tests count what a long game takes.
   const std::uint64_t commits = ++impl_->commits;
@@ -258,8 +248,7 @@ Transaction::~Transaction() noexcept {
 Expected<std::uint64_t> World::forgetRect(const CellRect& cells) noexcept {
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   if (const auto done = detail::checkCorners(cells); !done) return refuse(done.error());
-  if (!impl_->ground.changedChunks().empty() || impl_->history.hasMarks())
-    return refuse({.code = ErrorCode::uncommitted});
+  if (impl_->ground.hasChanged() || impl_->history.hasMarks()) return refuse({.code = ErrorCode::uncommitted});
   const std::vector<std::uint32_t> gone = impl_->ground.forget(cells);
   for (const std::uint32_t chunk : gone) impl_->outline.forget(chunk);
   impl_->outline.giveBackPages();
@@ -274,20 +263,28 @@ Expected<std::uint64_t> World::unload(const CellRect& cells, const ChunkSink& si
     const detail::Chunk& chunk = impl_->ground.grid.chunk(number);
     const std::vector<std::byte> bytes = detail::saveChunk(impl_->ground, chunk);
     if (sink) sink(chunk.cell(0), bytes);
+    impl_->history.leaves(number);
     impl_->ground.unload(number, detail::checksumOf(bytes));
   }
   return chunks.size();
 }
 
 tl::expected<Cell, SnapshotError> World::reload(std::span<const std::byte> chunk) noexcept {
-  return detail::loadChunk(chunk, impl_->ground);
+  const std::size_t unloaded = impl_->ground.grid.unloadedCount();
+  const auto corner = detail::loadChunk(chunk, impl_->ground);
+  const bool isBack = corner && impl_->ground.grid.unloadedCount() < unloaded;
+  if (isBack) impl_->history.comesBack(impl_->ground.grid.find(*corner).chunk->index);
+  return corner;
 }
 
 Expected<std::uint64_t> World::reloadEmpty(const CellRect& cells) noexcept {
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   if (const auto done = detail::checkCorners(cells); !done) return refuse(done.error());
   const std::vector<std::uint32_t> chunks = impl_->ground.chunksWithin(cells, true);
-  for (const std::uint32_t number : chunks) impl_->ground.loadEmpty(number);
+  for (const std::uint32_t number : chunks) {
+    impl_->ground.loadEmpty(number);
+    impl_->history.comesBack(number);
+  }
   return chunks.size();
 }
 
@@ -299,8 +296,7 @@ std::optional<Cell> World::firstUnloaded(const CellRect& cells) const noexcept {
 // --- Following the ground
 
 Expected<void> World::followCells(bool follow) noexcept {
-  if (!impl_->ground.changedChunks().empty() || impl_->history.hasMarks())
-    return refuse({.code = ErrorCode::uncommitted});
+  if (impl_->ground.hasChanged() || impl_->history.hasMarks()) return refuse({.code = ErrorCode::uncommitted});
   impl_->history.follow(follow);
   return {};
 }
@@ -310,7 +306,7 @@ std::span<const CellChange> World::cellChanges() const noexcept { return impl_->
 // --- Saving
 
 Expected<void> World::save(const ByteSink& sink) const noexcept {
-  if (!impl_->ground.changedChunks().empty()) return refuse({.code = ErrorCode::uncommitted});
+  if (impl_->ground.hasChanged()) return refuse({.code = ErrorCode::uncommitted});
   if (const auto cell = firstUnloaded(detail::kWholeWorld)) return refuse({.code = ErrorCode::unloaded, .cell = *cell});
   detail::save(impl_->ground, impl_->outline, sink);
   return {};

@@ -151,6 +151,9 @@ constexpr bool movesInTime(Call::Kind kind) {
   return (group <= kind && kind <= goForward && kind != leave) || kind == repeat || kind == follow;
 }
 
+/// Calls of chunks that come and go: a chunk of a place where none is counts as an edit.
+constexpr bool isOfMemory(Call::Kind kind) { return Call::Kind::unload <= kind && kind <= Call::Kind::reloadEmpty; }
+
 /// Add, remove and commit in their plain form: all that an engine of others knows.
 bool isPlain(const Call& call);
 

@@ -86,6 +86,7 @@ Call Caller::resolved(const Call& call) const {
 
 Outcome Caller::makeResolved(const Call& call) {
   Outcome out;
+  const std::uint64_t chunks = isOfMemory(call.kind) ? world.stats().chunks : 0;
   switch (call.kind) {
     case Call::Kind::shape:
     case Call::Kind::add:
@@ -173,7 +174,8 @@ Outcome Caller::makeResolved(const Call& call) {
       if (auto done = stroke(world, call.brush); isDone(done, out)) out.brushed = std::move(*done);
       break;
   }
-  if (!movesInTime(call.kind)) timeline_.happened(Redo::maybe);
+  if (!movesInTime(call.kind) && (!isOfMemory(call.kind) || world.stats().chunks != chunks))
+    timeline_.happened(Redo::maybe);
   given.insert(given.end(), out.handles.begin(), out.handles.end());
   return out;
 }
@@ -298,7 +300,7 @@ void Caller::unload(const Call& call, Outcome& out) {
   if (isDone(count, out)) out.count = *count;
 }
 
-// The newest bytes that fit: the world may have gone back since it gave newer ones.
+// The newest bytes that fit: another world may have given them.
 void Caller::reload(const Call& call, Outcome& out) {
   std::vector<Cell> corners;
   for (const auto& entry : shelf_)

@@ -69,8 +69,6 @@ class Caller {
   World world;
   std::vector<PolygonHandle> given;  ///< handles of all that was placed, in the order in which that was done
   bool hasMarks() const { return timeline_.hasMarks(); }
-  /// A commit may have found something to do, which ends the redo.
-  void committed() { timeline_.happened(Redo::maybe); }
 
   struct Remembered {
     Mark mark;

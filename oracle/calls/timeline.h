@@ -10,8 +10,8 @@
 
 namespace lgs::oracle {
 
-/// Whether the world can go forward. *Maybe* is where the documents leave it open: after an edit that changed nothing,
-/// or that was undone.
+/// Whether the world can go forward: commits, and chunks that come and go, do not matter. *Maybe* is where the documents
+/// leave it open: after an edit that changed nothing, or that was undone.
 enum class Redo : std::uint8_t { no, maybe, sure };
 
 template <class T>
@@ -67,6 +67,13 @@ class Timeline {
     // Where it went may be a mark that is gone: what is ahead is given up for simplicity.
     if (at <= went_) ahead_.clear();
     if (marks_.empty()) ahead_.clear();
+  }
+
+  /// Calls visit(what) for what is kept for each mark, ahead or not.
+  template <class Visit>
+  void forEach(Visit&& visit) {
+    for (auto* marks : {&marks_, &ahead_})
+      for (T& what : *marks) visit(what);
   }
 
   /// Something else was done.

@@ -55,7 +55,7 @@ std::string wrongPast(const Player& player) {
   for (const auto& told : player.past()) {
     if (told->outcome.refusal)
       twin.makeShapes(told->call);
-    else if (twin.makeResolved(told->call) != told->outcome)
+    else if (twin.makeResolved(told->call) != told->outcome && !told->isOther)
       return "once more, without what was undone or refused, another answer: " + printCall(told->call);
   }
   const std::string difference = differenceOf(player.world(), twin.world);

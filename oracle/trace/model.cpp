@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -315,15 +316,59 @@ void Model::clear(const CellRect& cells) {
   for (const Cell cell : gone) now_.standing.take(cell);
 }
 
+void Model::takeAway(Cell chunk) {
+  Content& content = now_.away[chunk];
+  std::vector<Cell> filled;
+  for (const auto& entry : now_.standing.cells())
+    if (chunkOf(entry.first) == chunk) filled.push_back(entry.first);
+  for (const Cell cell : filled) content[cell] = now_.standing.take(cell);
+}
+
+void Model::bringBack(const Content& content) {
+  for (const auto& [cell, there] : content)
+    for (const auto& [name, block, vertices, handle] : there)  // a name may be that of what is there since
+      now_.standing.add(isAlive(name) ? freshName() : name, {cell, block, vertices}, handle);
+}
+
 void Model::unload(const CellRect& cells) {
   for (const Cell chunk : chunksWithin(cells, true)) {
-    Content& content = now_.away[chunk];
-    std::vector<Cell> filled;
-    for (const auto& entry : now_.standing.cells())
-      if (chunkOf(entry.first) == chunk) filled.push_back(entry.first);
-    for (const Cell cell : filled) content[cell] = now_.standing.take(cell);
-    shelf_[chunk].push_back(content);
+    takeAway(chunk);
+    shelf_[chunk].push_back(now_.away.at(chunk));
   }
+}
+
+// Being in memory is no edit: what there is becomes what there was, and what is away stays away. A chunk that is away,
+// and was not there yet, was there at all times, and held nothing.
+void Model::goTo(State state) {
+  const std::set<Cell> away = chunksAway();
+  now_ = std::move(state);
+  for (const auto& entry : std::exchange(now_.away, {})) bringBack(entry.second);
+  for (const Cell chunk : away) {
+    takeAway(chunk);
+    if (!now_.chunks.insert(chunk).second) continue;
+    timeline_.forEach([&](State& other) { other.chunks.insert(chunk); });
+  }
+  now_.alone.clear();
+  for (const Cell chunk : away)
+    if (!isBesideLoaded(chunk)) now_.alone.insert(chunk);
+}
+
+std::set<Cell> Model::chunksAway() const {
+  std::set<Cell> chunks;
+  for (const auto& entry : now_.away) chunks.insert(entry.first);
+  return chunks;
+}
+
+// What a chunk held is given up, at all times.
+void Model::empty(Cell chunk) {
+  now_.away.erase(chunk);
+  timeline_.forEach([&](State& state) {
+    std::vector<Cell> filled;
+    for (const auto& entry : state.standing.cells())
+      if (chunkOf(entry.first) == chunk) filled.push_back(entry.first);
+    for (const Cell cell : filled) state.standing.take(cell);
+    if (const auto away = state.away.find(chunk); away != state.away.end()) away->second.clear();
+  });
 }
 
 std::vector<Cell> Model::comingBack(const CellRect& cells) const {
@@ -341,15 +386,13 @@ void Model::reload(Cell chunk, const World* world) {
   const bool isNew = now_.chunks.insert(chunk).second;
   Content content = isNew ? shelf_.at(chunk).back() : now_.away.at(chunk);
   now_.away.erase(chunk);
+  if (isNew) timeline_.happened(Redo::no);
   for (auto& [cell, there] : content) {
     const auto now = world != nullptr && isNew ? world->polygons(cell) : std::vector<PlacedPolygon>();
-    for (std::size_t k = 0; k < there.size(); ++k) {
-      auto& [name, block, vertices, handle] = there[k];
-      if (isNew) handle = k < now.size() ? now[k].handle : PolygonHandle{};
-      if (isAlive(name)) name = freshName();  // of what is there since
-      now_.standing.add(name, {cell, block, vertices}, handle);
-    }
+    for (std::size_t k = 0; k < there.size() && isNew; ++k)
+      there[k].handle = k < now.size() ? now[k].handle : PolygonHandle{};
   }
+  bringBack(content);
 }
 
 // A loaded one has a chunk of its own, however empty that is.
@@ -359,8 +402,8 @@ bool Model::isBesideLoaded(Cell chunk, const std::set<Cell>& gone) const {
   });
 }
 
-// The chunks that forget() takes: those loaded that hold nothing; then those not in memory of whose rim nobody needs
-// anything. If one that needed it has just gone, its rim is still there until the next commit, if it holds anything.
+// The chunks that forget() takes: those loaded that hold nothing; then those not in memory that no loaded one is beside,
+// nor was at the last commit.
 std::vector<Cell> Model::leaving(const CellRect& cells) const {
   if (isEmpty(cells)) return {};
   std::set<Cell> filled;
@@ -368,14 +411,8 @@ std::vector<Cell> Model::leaving(const CellRect& cells) const {
   std::vector<Cell> gone = chunksWithin(cells, true);
   std::erase_if(gone, [&](Cell chunk) { return filled.contains(chunk); });
   const std::set<Cell> loaded(gone.begin(), gone.end());
-  const auto holdsNothing = [&](Cell chunk) {
-    return std::ranges::none_of(now_.away.at(chunk), [&](const auto& entry) {
-      const std::int32_t i = entry.first.i & 31, j = entry.first.j & 31;
-      return !entry.second.empty() && (i == 0 || i == 31 || j == 0 || j == 31);
-    });
-  };
   for (const Cell chunk : chunksWithin(cells, false))
-    if (!isBesideLoaded(chunk, loaded) && (now_.alone.contains(chunk) || holdsNothing(chunk))) gone.push_back(chunk);
+    if (!isBesideLoaded(chunk, loaded) && now_.alone.contains(chunk)) gone.push_back(chunk);
   return gone;
 }
 
@@ -389,7 +426,7 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
   // What changes nothing may count as an edit, or not.
   const bool mayBeNone = !isEdit(call.kind) || call.kind == Kind::shape || call.kind == Kind::setBlock ||
                          (call.comes.empty() && call.goes.empty()) || (call.kind == Kind::fill && isEmpty(call.cells));
-  if (!movesInTime(call.kind)) timeline_.happened(mayBeNone ? Redo::maybe : Redo::no);
+  if (!movesInTime(call.kind) && !isOfMemory(call.kind)) timeline_.happened(mayBeNone ? Redo::maybe : Redo::no);
   switch (call.kind) {
     case Kind::setBlock:
       return recolour(call.goes[0].name, call.comes[0].block);
@@ -422,15 +459,15 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
       for (const Cell chunk : comingBack(call.cells)) reload(chunk, world);
       return;
     case Kind::reloadEmpty:
-      for (const Cell chunk : chunksWithin(call.cells, false)) now_.away.erase(chunk);
+      for (const Cell chunk : chunksWithin(call.cells, false)) empty(chunk);
       return;
     case Kind::mark:
       return timeline_.mark(now_);
     case Kind::goBack:
-      if (hasMarks()) now_ = timeline_.back(call.nth, call.keeps != Call::Keeps::never);
+      if (hasMarks()) goTo(timeline_.back(call.nth, call.keeps != Call::Keeps::never));
       return;
     case Kind::goForward:
-      if (hasAhead()) now_ = timeline_.forward(call.nth);
+      if (hasAhead()) goTo(timeline_.forward(call.nth));
       return;
     case Kind::forget:
       if (hasMarks()) timeline_.forget(call.nth);

@@ -69,6 +69,7 @@ class Model {
   Scene scene(PreservePairs preserve) const;  ///< all there is, also in chunks that are not in memory
   bool isLoaded(Cell cell) const { return now_.away.empty() || !now_.away.contains(chunkOf(cell)); }
   bool isWhole() const { return now_.away.empty(); }
+  std::set<Cell> chunksAway() const;
   std::size_t chunks() const { return now_.chunks.size(); }  ///< of 32×32 cells, ever edited and not forgotten
   bool hasMarks() const { return timeline_.hasMarks(); }
   std::size_t marks() const { return timeline_.marks(); }
@@ -94,7 +95,7 @@ class Model {
   const State& state() const { return now_; }
   Redo redo() const { return timeline_.redo(); }
   void restore(State before, Redo redo) {
-    now_ = std::move(before);
+    goTo(std::move(before));
     timeline_.isUndone(redo);
   }
 
@@ -112,6 +113,10 @@ class Model {
   void reload(Cell corner, const World* world);
   bool isBesideLoaded(Cell chunk, const std::set<Cell>& gone = {}) const;
   std::vector<Cell> leaving(const CellRect& cells) const;
+  void takeAway(Cell chunk);
+  void bringBack(const Content& content);
+  void goTo(State state);
+  void empty(Cell chunk);
   std::vector<Cell> comingBack(const CellRect& cells) const;
 
   State now_;

@@ -67,14 +67,35 @@ Player::Done Player::makeGroup(const Call& call) {
 
 // Those that go elsewhere in time or memory leave no trace.
 void Player::keepMoment(const Call& call) {
+  const std::set<Cell> away = model_.chunksAway();
+  now_.away = away;
+  now_.chunks = model_.state().chunks;
   if (call.kind == Kind::mark) moments_.mark(now_);
   if (call.kind == Kind::goBack && moments_.hasMarks())
     now_ = moments_.back(call.nth, call.keeps != Call::Keeps::never);
   if (call.kind == Kind::goForward && moments_.hasAhead()) now_ = moments_.forward(call.nth);
+  if (call.kind == Kind::goBack || call.kind == Kind::goForward) turn(away);
   if (call.kind == Kind::forget && moments_.hasMarks()) moments_.forget(call.nth);
   if (call.kind == Kind::load) moments_.clear();
   hasLeft_ = hasLeft_ || call.kind == Kind::goBack || call.kind == Kind::load || call.kind == Kind::copy;
-  hasGoneBack_ = hasGoneBack_ || call.kind == Kind::goBack;
+}
+
+// Chunks that came or went since have done it at the end of this past, and with a commit, unless edits were pending.
+void Player::turn(const std::set<Cell>& away) {
+  if (!hasStreamed_) return;
+  if (now_.pending || !std::ranges::includes(now_.chunks, away)) isOfOnePast_ = false;
+  const auto add = [&](Kind kind, const std::set<Cell>& chunks, const std::set<Cell>& others) {
+    for (const Cell chunk : chunks) {
+      if (others.contains(chunk)) continue;
+      Call call = Call::of(kind);
+      const Cell corner{32 * chunk.i, 32 * chunk.j};
+      call.cells = {corner, {std::min(corner.i + 31, kMaxCell), std::min(corner.j + 31, kMaxCell)}};
+      now_.past.push_back(std::make_shared<Told>(Told{std::move(call), {}, true}));
+    }
+  };
+  add(Kind::unload, away, now_.away);
+  add(Kind::reload, now_.away, away);
+  if (!now_.pending) now_.past.push_back(std::make_shared<Told>(Told{Call::commit(), {}, true}));
 }
 
 // Of a call that is accepted, before the model makes it.
@@ -101,17 +122,18 @@ Player::Done Player::makeCall(const Judged& judged) {
   if (auto done = checkShapes(call, outcome); !done) return done;
   const bool isDone = !outcome.refusal;
   const auto refusal = outcome.refusal;
-  const bool mayHaveFound = call.kind == Kind::commit && now_.pending;  // then nothing leads forward any more
-  if (!movesInTime(call.kind) || mayHaveFound) {
-    if (!isDone || mayHaveFound) model_.tried();
-    if (mayHaveFound) caller_.committed();
-    moments_.happened(Redo::maybe);
+  const std::size_t chunks = model_.chunks();
+  if (!movesInTime(call.kind)) {
+    if (!isDone) model_.tried();
+    if (!isDone || !isOfMemory(call.kind)) moments_.happened(Redo::maybe);
     hasLeft_ = hasLeft_ || !isDone;
   }
-  if (call.kind == Kind::reload && hasGoneBack_ && outcome.chunks.size() > 0) isOfOnePast_ = false;
+  if (call.kind == Kind::reloadEmpty && model_.hasMarks() && outcome.count != 0) isOfOnePast_ = false;
+  hasStreamed_ = hasStreamed_ || isOfMemory(call.kind);
   if (isDone) {
     if (isEdit(call.kind)) noteEdited(call);
     model_.apply(call, &outcome, &world());
+    if (call.kind == Kind::reload && model_.chunks() != chunks) moments_.happened(Redo::maybe);
     for (const Coming& coming : call.comes)
       for (const std::string& name : coming.names) lost_.erase(name);
     keepMoment(call);

@@ -35,10 +35,11 @@ struct Judged {
   Verdict verdict;
 };
 
-/// A call that was made, and what it gave.
+/// A call that was made, and what it gave; or that leads to the same as one that was made.
 struct Told {
   Call call;
   Outcome outcome;
+  bool isOther = false;
 };
 using Past = std::vector<std::shared_ptr<const Told>>;
 
@@ -72,7 +73,7 @@ class Player {
   /// they gave (law 12), also without those that were refused (law 7).
   const Past& past() const { return now_.past; }
   bool hasLeft() const { return hasLeft_; }          ///< whether any were left out or refused, so far
-  bool isOfOnePast() const { return isOfOnePast_; }  ///< false after a chunk came back of a time that was undone
+  bool isOfOnePast() const { return isOfOnePast_; }  ///< false where chunks came or went that no calls could
 
  private:
   using Done = tl::expected<void, TraceError>;
@@ -84,6 +85,7 @@ class Player {
   Done checkShapes(const Call& call, const Outcome& outcome);
   void keepMoment(const Call& call);
   void noteEdited(const Call& call);
+  void turn(const std::set<Cell>& away);
   std::string badName(const Call& call) const;
   tl::unexpected<TraceError> refused(const Error& error) const;
 
@@ -91,6 +93,7 @@ class Player {
     Past past;
     std::map<Shape, ShapeId> shapes;
     bool pending = false;
+    std::set<Cell> away, chunks;  // as in the model
   };
 
   Caller caller_;
@@ -102,7 +105,7 @@ class Player {
   std::set<Cell> edited_;
   std::map<std::string, std::size_t> lost_;  // names that brushes have taken away, and the lines of these
   bool hasLeft_ = false;
-  bool hasGoneBack_ = false;
+  bool hasStreamed_ = false;
   bool isOfOnePast_ = true;
 };
 

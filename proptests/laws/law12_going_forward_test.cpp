@@ -116,21 +116,31 @@ TEST_F(GoingForwardByHand, AMarkMadeSinceThatTheWorldGoesBackBeyondIsAhead) {
   EXPECT_TRUE(world.rollBack(marks[2]));
 }
 
-// It went back to where an edit was pending. That is committed then, and the mark of there is forgotten.
-TEST(GoingForwardWithPendingEdits, ACommitEndsTheRedo) {
-  World world;
-  const Mark first = world.checkpoint();
-  place(world, {0, 0}, unitSquare());
-  const Mark pending = world.checkpoint();
-  place(world, {1, 0}, unitSquare());
-  world.commit();
-  const Mark ahead = world.checkpoint();
-  ASSERT_TRUE(world.rollBack(pending, Undone::keep));
-  ASSERT_TRUE(world.forget(pending));
-  EXPECT_EQ(world.commit().added.size(), 4U);
-  EXPECT_FALSE(world.rollForward(ahead));
-  ASSERT_TRUE(world.rollBack(first));
-  EXPECT_EQ(world.segments().size(), 0U);
+// It went back to where an edit was pending. That is committed then, and undone before the world goes forward; the mark
+// of there may be forgotten.
+TEST(GoingForwardWithPendingEdits, ACommitEndsNoRedo) {
+  for (const bool isForgotten : {false, true}) {
+    for (const bool isFollowed : {false, true}) {
+      World world;
+      EXPECT_TRUE(world.followCells(isFollowed));
+      const Mark first = world.checkpoint();
+      place(world, {0, 0}, unitSquare());
+      const Mark pending = world.checkpoint();
+      place(world, {1, 0}, unitSquare());
+      world.commit();
+      const Mark ahead = world.checkpoint();
+      const std::vector<SegmentId> ids = world.segments();
+      ASSERT_TRUE(world.rollBack(pending, Undone::keep));
+      ASSERT_TRUE(!isForgotten || world.forget(pending));
+      EXPECT_EQ(world.commit().added.size(), 4U);
+      ASSERT_TRUE(world.rollForward(ahead));
+      EXPECT_EQ(world.segments(), ids);
+      EXPECT_EQ(world.cellChanges().size(), isFollowed ? 1U : 0U) << "the other one was told";
+      ASSERT_TRUE(world.rollBack(first));
+      EXPECT_EQ(world.segments().size(), 0U);
+      EXPECT_EQ(world.cellChanges().size(), isFollowed ? 2U : 0U);
+    }
+  }
 }
 
 TEST_F(GoingForwardByHand, WhatIsDroppedTakesNoMemory) {

@@ -218,17 +218,112 @@ TEST(UnloadedByHand, TheFirstChunkBesideWakesTheBorder) {
     }
 }
 
-TEST(UnloadedByHand, AGroupThatIsNotKeptBringsChunksBack) {
+TEST(UnloadedByHand, AGroupThatIsNotKeptUndoesWhatItEditedInAChunkThatLeft) {
   World world = rowOfChunks(2);
-  const PolygonHandle there = world.polygons({3, 3})[0].handle;
+  const PolygonHandle atRim = world.polygons({3, 31})[0].handle, within = world.polygons({3, 3})[0].handle;
+  const PolygonHandle stays = world.polygons({4, 4})[0].handle;
+  Shelf shelf;
   {
     const auto group = world.edit();
-    EXPECT_EQ(world.unload(chunkAt(0, 0), {}), 1U);
-    EXPECT_FALSE(world.polygon(there));
+    EXPECT_TRUE(world.remove(atRim));
+    EXPECT_TRUE(world.remove(within));
+    EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
   }
-  EXPECT_TRUE(world.polygon(there));
-  const Changes& changes = world.commit();
-  EXPECT_TRUE(changes.removed.empty() && changes.added.empty() && changes.relinked.empty());
+  EXPECT_EQ(world.polygon(within).error().code, ErrorCode::unloaded) << "being in memory is no edit";
+  world.commit();
+  EXPECT_TRUE(shelf.reload(world, {0, 0}));
+  for (const PolygonHandle handle : {atRim, within, stays}) EXPECT_TRUE(world.polygon(handle));
+  EXPECT_EQ(world.commit().added.size(), 96U) << "all that it shows";
+}
+
+/// A game digs, walks away and undoes: what is far away is undone, too, and its disk has the newest bytes alone.
+TEST(UnloadedByHand, WhatIsUndoneInAChunkThatIsAwayIsUndone) {
+  for (const bool isFollowed : {false, true}) {
+    World world = rowOfChunks(3);
+    EXPECT_TRUE(world.followCells(isFollowed));
+    const Mark start = world.checkpoint();
+    removeAll(world, {3, 3});
+    removeAll(world, {31, 7});
+    EXPECT_EQ(world.commit().added.size(), 8U);
+    const Mark dug = world.checkpoint();
+    Shelf shelf;
+    EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
+    world.commit();
+    const std::vector<std::byte> bytes = shelf.newest({0, 0});
+
+    EXPECT_TRUE(world.rollBack(start, Undone::keep));
+    EXPECT_EQ(world.firstUnloaded(kEverywhere), (Cell{0, 0})) << "it loads nothing";
+    EXPECT_EQ(world.changesOfRollBack().removed.size(), 1U) << "beside the hole at the rim";
+    EXPECT_EQ(world.unload(chunkAt(2, 0), shelf.sink()), 1U);
+    world.commit();
+    EXPECT_TRUE(world.rollForward(dug)) << "redo survives streaming";
+    EXPECT_EQ(world.changesOfRollBack().added.size(), 1U);
+    EXPECT_TRUE(world.rollBack(start, Undone::keep));
+    EXPECT_TRUE(world.reload(bytes)) << "the newest bytes are good";
+    EXPECT_FALSE(world.isEmpty({3, 3}));
+    EXPECT_FALSE(world.isEmpty({31, 7}));
+    world.commit();
+
+    EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
+    EXPECT_TRUE(world.rollForward(dug));
+    EXPECT_TRUE(shelf.reload(world, {0, 0}));
+    EXPECT_TRUE(world.isEmpty({3, 3}));
+    EXPECT_TRUE(world.isEmpty({31, 7}));
+    EXPECT_TRUE(world.rollBack(start));
+    EXPECT_FALSE(world.isEmpty({3, 3}));
+  }
+}
+
+TEST(UnloadedByHand, WhatIsOwedOutlivesTheMarks) {
+  World world = rowOfChunks(2);
+  Mark mark = world.checkpoint();
+  removeAll(world, {3, 3});
+  removeAll(world, {0, 0});
+  world.commit();
+  Shelf shelf;
+  EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
+  world.commit();
+  EXPECT_TRUE(world.rollBack(mark));
+  EXPECT_TRUE(world.forget(mark));
+  EXPECT_TRUE(world.clear(chunkAt(1, 0)));
+  world.commit();
+  world = World(world);
+  EXPECT_TRUE(shelf.reload(world, {0, 0}));
+  EXPECT_EQ(world.commit().added.size(), 4U * 32) << "as before it was dug";
+}
+
+TEST(UnloadedByHand, AChunkMadeAfterTheMarkIsEmptyAndStaysAway) {
+  World world = rowOfChunks(1);
+  const Mark start = world.checkpoint();
+  place(world, {40, 4}, unitSquare());
+  world.commit();
+  const Mark built = world.checkpoint();
+  Shelf shelf;
+  EXPECT_EQ(world.unload(chunkAt(1, 0), shelf.sink()), 1U);
+  world.commit();
+  EXPECT_TRUE(world.rollBack(start, Undone::keep));
+  EXPECT_EQ(world.firstUnloaded(kEverywhere), (Cell{32, 0}));
+  EXPECT_TRUE(world.rollForward(built));
+  EXPECT_TRUE(world.rollBack(start, Undone::keep));
+  EXPECT_TRUE(shelf.reload(world, {32, 0}));
+  EXPECT_TRUE(world.isEmpty({40, 4}));
+  EXPECT_TRUE(world.rollForward(built));
+  EXPECT_FALSE(world.isEmpty({40, 4}));
+}
+
+TEST(UnloadedByHand, AChunkThatComesBackEmptyIsEmptyAtAllMarks) {
+  World world = rowOfChunks(2);
+  const Mark start = world.checkpoint();
+  removeAll(world, {31, 7});
+  world.commit();
+  EXPECT_EQ(world.unload(chunkAt(0, 0), {}), 1U);
+  EXPECT_EQ(world.reloadEmpty(chunkAt(0, 0)), 1U);
+  const PolygonHandle made = place(world, {3, 3}, unitSquare());
+  EXPECT_GT(made.serial, 1U);
+  world.commit();
+  EXPECT_TRUE(world.rollBack(start));
+  EXPECT_EQ(world.stats().polygons, 1024U);
+  EXPECT_EQ(world.segments().size(), 4U * 32) << "the outline is that of then, and the chunk is empty";
 }
 
 TEST(UnloadedByHand, ChunksAtTheEndsOfTheWorldGoToo) {

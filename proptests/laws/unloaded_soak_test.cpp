@@ -66,7 +66,6 @@ class Journey {
  private:
   struct Marks {
     Mark part, whole;
-    Cell window;
   };
 
   Cell cellIn(std::int32_t ci, std::int32_t cj) {
@@ -118,7 +117,7 @@ class Journey {
   }
 
   void mark() {
-    marks_.push_back({part_.checkpoint(), whole_.checkpoint(), window_});
+    marks_.push_back({part_.checkpoint(), whole_.checkpoint()});
     if (marks_.size() <= 12) return;
     const auto gone = marks_.begin() + static_cast<std::ptrdiff_t>(random_.below(marks_.size()));
     EXPECT_TRUE(part_.forget(gone->part));
@@ -130,13 +129,22 @@ class Journey {
     if (marks_.empty()) return;
     const std::size_t to = marks_.size() - 1 - std::min(marks_.size() - 1, std::size_t{random_.below(3U)});
     ++wentBack_;
-    const Cell here = window_;
-    EXPECT_TRUE(part_.rollBack(marks_[to].part));
-    EXPECT_TRUE(whole_.rollBack(marks_[to].whole));
-    marks_.resize(to + 1);
-    window_ = marks_[to].window;
+    const Undone undone = random_.chance(50) ? Undone::keep : Undone::drop;
+    EXPECT_TRUE(part_.rollBack(marks_[to].part, undone));
+    EXPECT_TRUE(whole_.rollBack(marks_[to].whole, undone));
     if (random_.chance(50)) commit();
-    moveTo(here);
+    if (undone == Undone::keep && to + 1 < marks_.size() && random_.chance(50)) {
+      const Cell here = window_;
+      moveTo({here.i == 0 ? kWindow : here.i - 1, here.j});  // redo survives it
+      if (random_.chance(50)) commit();
+      EXPECT_TRUE(part_.rollForward(marks_[to + 1].part));
+      EXPECT_TRUE(whole_.rollForward(marks_[to + 1].whole));
+      marks_.resize(to + 2);
+      if (random_.chance(50)) commit();
+      moveTo(here);
+      return;
+    }
+    marks_.resize(to + 1);
   }
 
   void forgetMarks() {

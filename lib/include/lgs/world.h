@@ -274,8 +274,8 @@ class World {
   /// Goes forward to a mark that is ahead, as if the world had not gone back beyond it: the edits and commits up to it
   /// come back with their handles, shapes and segment ids. Marks that were made since it went back are void; those
   /// further ahead stay ahead. changesOfRollBack() then says what this did to the segments. Refused: unknownMark, if
-  /// the mark is not ahead, or if something was edited or committed, or a shape made, since the world went back or
-  /// forward (and that was not undone). Commits that found nothing to do, and groups that were not kept, do no harm.
+  /// the mark is not ahead, or if something was edited, or a shape made, since the world went back or forward (and that
+  /// was not undone). Commits, chunks that leave memory and come back, and groups that were not kept do no harm.
   /// Cost: as of rollBack().
   [[nodiscard]] Expected<void> rollForward(Mark mark) noexcept;
 
@@ -315,8 +315,16 @@ class World {
     return forgetRect(cells);
   }
 
-  // Chunks leave memory with unload(), and come back with reload() or reloadEmpty(). These are edits: the next commit
-  // reports which segments went, came and were relinked, and marks go back across them.
+  // Chunks leave memory with unload(), and come back with reload() or reloadEmpty(). The next commit reports which
+  // segments went, came and were relinked.
+  //
+  // Being in memory is no edit. Going back and forward changes what the ground is, loaded or not, and loads or unloads
+  // nothing: so a game streams as it likes while the player can undo and redo. The bytes that unload() gave last stay
+  // good. What changes in an unloaded chunk by going back is kept here, and is there when it comes back: 12 bytes for
+  // each of its cells that was edited since the oldest mark. Where no edits are pending at the mark, changesOfRollBack()
+  // has what came and went since the mark, too; otherwise the next commit has it, with these edits. An edit that is not
+  // kept, as a group, is undone in the same way. Two things are edits, and go back and end redo like all others: ground
+  // that a game makes, and bytes for a place where no chunk is.
   //
   // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no
   // wall appears where the loaded world ends. For that the outermost cells of an unloaded chunk stay known. They take
@@ -331,22 +339,23 @@ class World {
 
   /// Chunks of 32×32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `sink`
   /// gets the bytes of each: its polygons, blocks and handles, as they are after all edits, committed or not. Returns
-  /// how many chunks these are. While there are marks, what is needed to go back stays in memory. Refused:
+  /// how many chunks these are. Refused:
   /// cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells of these
   /// chunks.
   [[nodiscard]] Expected<std::uint64_t> unload(const CellRect& cells, const ChunkSink& sink) noexcept;
 
-  /// A chunk comes back as it was, to the last handle. Returns its lower-left cell. `chunk` is what unload() gave last
-  /// for this chunk; where there is no chunk, as after forget(), it may be what any world gave that has the same
+  /// A chunk comes back as it was, to the last handle; but what the world went back or forward to since is changed.
+  /// Returns its lower-left cell. `chunk` is what unload() gave last for this chunk; where there is no chunk, as after forget(), it may be what any world gave that has the same
   /// preserve relation, and the handles are new. Bytes that are cut, damaged or made up are refused, as by load().
   /// Cost: in proportion to the cells of the chunk, and quadratic in the vertices of each content of a cell that is
   /// new.
   [[nodiscard]] tl::expected<Cell, SnapshotError> reload(std::span<const std::byte> chunk) noexcept;
 
   /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their
-  /// ground again, with edits, before the next commit. Handles from before name nothing, and are never given out again.
-  /// Returns how many chunks these are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range.
-  /// Cost: in proportion to the cells of these chunks.
+  /// ground anew, with edits, before the next commit. What they held is given up at all marks, too: whoever goes back
+  /// finds them empty. Handles from before name nothing, and are never given out again. Returns how many chunks these
+  /// are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells
+  /// of these chunks, and of each to what is kept to go back.
   [[nodiscard]] Expected<std::uint64_t> reloadEmpty(const CellRect& cells) noexcept;
 
   /// The first cell of a rectangle that is unloaded, by rows from `min`; nothing if none is. Cost: in proportion to the
