@@ -97,7 +97,6 @@ class Play {
     } else if (what < 85) {
       at_ += 16 * (below(5) - 2);
       EXPECT_TRUE(ground_->window(cellsAt(at_)));
-      if (!ground_->canUndo() && !ground_->canRedo()) keepAll();  // chunks came or went
     } else if (what < 95) {
       settleOne();
     } else {
@@ -142,10 +141,6 @@ class Play {
     EXPECT_TRUE(other->load(bytes));
     EXPECT_FALSE(other->canUndo());
     ground_ = std::move(other);
-    keepAll();
-  }
-  /// Nothing can be undone or redone any more.
-  void keepAll() {
     for (; now_ > 0; --now_) kept_ += brought_[static_cast<std::size_t>(now_ - 1)];
     brought_.clear();
   }

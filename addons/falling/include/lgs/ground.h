@@ -22,8 +22,8 @@
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo. The
 //     next stroke lets them.
-//  4. What reaches the edge of memory is held (kBeyond in islands.h). What is loose when it comes in falls. Where chunks
-//     leave or come, the steps of undo and redo end: for a World that is an edit.
+//  4. What reaches the edge of memory is held (kBeyond in islands.h). What is loose when it comes in falls. Undo and redo
+//     go on over chunks that left and came back. New land ends the redo.
 //  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 //
 // Costs: a stroke as of its edit, commit, the islands and the sync; an undo as of the strokes undone. A Ground stays
@@ -122,16 +122,12 @@ class Ground {
     const CellRect chunks{chunkAround(cells.min).min, chunkAround(cells.max).max};
     if (chunks == window_) return true;
     window_ = chunks;
-    dropFuture();
     makeLand();
     unloadOutside(world_, window_, options_.shelf);
     const bool isAll = reloadInside(world_, window_, options_.shelf);
     if (!isAll) window_ = {{0, 0}, {-1, -1}};
     host_.window(chunks);
     commit();
-    marks_.push_back(world_.checkpoint());
-    ++now_;
-    forgetUndo();
     return isAll;
   }
 
@@ -152,6 +148,7 @@ class Ground {
     fallen_.clear();
     for (Rock& rock : loaded->rocks) fallen_.push_back({std::move(rock), {}, -1});
     made_ = {loaded->land.begin(), loaded->land.end()};
+    newLand_.clear();
     squares_.note(world_);
     world_ = std::move(loaded->world);
     squares_.note(world_);
@@ -303,6 +300,7 @@ class Ground {
     show(world_.changesOfRollBack());
     for (Fallen& f : fallen_)
       if (!f.isInAir && isThere(f)) make(f);
+    remakeLand();
     return true;
   }
   /// Before an edit: what was undone can not come back, and what was made again stays.
@@ -317,6 +315,7 @@ class Ground {
     marks_.pop_front();
     ++oldest_;
     std::erase_if(fallen_, [&](const Fallen& f) { return !f.isInAir && f.settled < oldest_; });
+    std::erase_if(newLand_, [&](const auto& land) { return land.second < oldest_; });
   }
 
   // --- The window
@@ -327,6 +326,8 @@ class Ground {
       if (made_.insert(corner).second) makeChunk(corner);
   }
   void makeChunk(Cell corner) {
+    dropFuture();
+    newLand_.emplace_back(corner, now_);
     const CellRect chunk = chunkAround(corner);
     World land(options_.preserve);
     options_.land(land, chunk);
@@ -335,9 +336,20 @@ class Ground {
       isThere = !world_.firstUnloaded(chunk) && world_.reload(bytes);
     }));
     if (isThere || !land.firstUnloaded(chunk)) return;
-    // There is a chunk already, which holds nothing.
+    // Where an undo went over it there is a chunk, which holds nothing.
     static_cast<void>(world_.reloadEmpty(chunk));
     options_.land(world_, chunk);
+  }
+  /// An undo took away land that was made since; nobody has dug there at that time.
+  void remakeLand() {
+    std::vector<Cell> again;
+    for (const auto& [corner, at] : newLand_)
+      if (at >= now_) again.push_back(corner);
+    if (again.empty()) return;
+    std::erase_if(newLand_, [&](const auto& land) { return land.second >= now_; });
+    for (const Cell corner : again) makeChunk(corner);
+    unloadOutside(world_, window_, options_.shelf);
+    commit();
   }
   std::vector<Rock> rocksAsValues() {
     std::vector<Rock> rocks;
@@ -357,8 +369,9 @@ class Ground {
   std::size_t next_ = 0;               // which of them looks first whether it can settle
   bool looksAtAll_ = false;            // something may hang in the air that no update will name
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
-  std::set<Cell> made_;     // chunks whose land was made
-  ChangedSquares squares_;  // to be drawn
+  std::set<Cell> made_;                                 // chunks whose land was made
+  std::vector<std::pair<Cell, std::int64_t>> newLand_;  // of these, which an undo may take away, and after which mark
+  ChangedSquares squares_;                              // to be drawn
 };
 
 }  // namespace lgs
