@@ -62,16 +62,33 @@ void CellChanges::readTurned(const Ground& ground, Journal::Moment commit) {
     for (const LeftPolygon& p : cell.polygons) polygons.push_back({p.handle, p.block, p.vertices});
     add(ground.grid.cellOf(cell.ref), polygons, {});
   }
-  std::vector<std::uint32_t> back;
+  std::vector<std::uint32_t> turned;
   for (const auto& [chunk, was] : wasLoaded_)
-    if (!was && ground.grid.stateOf(chunk) == ChunkState::loaded) back.push_back(chunk);
-  std::ranges::sort(back);
-  for (const std::uint32_t chunk : back) {
+    if (was != (ground.grid.stateOf(chunk) == ChunkState::loaded)) turned.push_back(chunk);
+  std::ranges::sort(turned);
+  for (const std::uint32_t chunk : turned) {
+    if (ground.grid.stateOf(chunk) != ChunkState::loaded) continue;
     for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
       polygons.clear();
       ground.read(ground.held(at), polygons);
       if (!polygons.empty() && !isNoted(at.ref())) add(at.cell(), {}, polygons);
     }
+  }
+  nameEach(ground, turned);
+}
+
+/// A chunk that turned and of which nothing is told is named by a cell that is empty before and now: so followers know
+/// which chunks are in memory.
+void CellChanges::nameEach(const Ground& ground, std::span<const std::uint32_t> turned) {
+  if (turned.empty()) return;
+  const auto cornerOf = [](Cell cell) { return Cell{cell.i & -kChunkSize, cell.j & -kChunkSize}; };
+  std::vector<Cell> named;
+  for (const CellChange& change : changes_) named.push_back(cornerOf(change.cell));
+  std::ranges::sort(named);
+  for (const std::uint32_t chunk : turned) {
+    if (ground.grid.stateOf(chunk) == ChunkState::none) continue;
+    const Cell corner = cornerOf(ground.grid.cellOf(chunk * kChunkCells));
+    if (!std::ranges::binary_search(named, corner)) add(corner, {}, {});
   }
 }
 
@@ -85,18 +102,21 @@ void CellChanges::read(Ground& ground, Journal::Moment commit, Way way) {
     if (note.thing != Thing::cell || note.before >= commit) continue;
     const std::uint32_t chunk = note.key / kChunkCells;
     const bool was = wasLoaded(ground, chunk), is = !ground.grid.border(chunk);
-    if (way == Way::stay ? was == is : !was && !is) continue;
+    if (!was && !is) continue;
+    const auto left = std::ranges::lower_bound(left_, note.key, {}, &LeftCell::ref);
+    const bool hasLeft = left != left_.end() && left->ref == note.key;
     then.clear();
     now.clear();
     ground.read(ground.held(note), then);
+    const bool isGivenUp = hasLeft && then.empty();
+    if (way == Way::stay && was == is && !isGivenUp) continue;
     if (way == Way::stay)
       now = then;
     else if (way == Way::back ? was : is)
       ground.read(ground.heldNow(note.key), now);
     if (way == Way::back) std::swap(then, now);
-    const auto left = std::ranges::lower_bound(left_, note.key, {}, &LeftCell::ref);
-    if (left != left_.end() && left->ref == note.key) {
-      then.clear();  // it may have been given up since
+    if (hasLeft) {
+      then.clear();
       for (const LeftPolygon& p : left->polygons) then.push_back({p.handle, p.block, p.vertices});
     }
     if (!was) then.clear();

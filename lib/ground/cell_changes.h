@@ -58,6 +58,7 @@ class CellChanges {
 
   bool wasLoaded(const Ground& ground, std::uint32_t chunk) const;
   void readTurned(const Ground& ground, Journal::Moment commit);
+  void nameEach(const Ground& ground, std::span<const std::uint32_t> turned);
   /// After the last one own() must be called. Until then the vertices must stay where they are.
   void add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now);
   /// Copies all vertices, and makes every span one of what is kept here.

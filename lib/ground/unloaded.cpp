@@ -222,14 +222,18 @@ void Ground::trim(std::uint32_t number) {
 // --- The work of the next commit
 
 void Ground::doTurns() {
-  std::vector<std::uint32_t> rims;
-  for (const std::uint32_t number : byRows(std::exchange(turned_, {}))) {
+  const std::vector<std::uint32_t> turned = byRows(std::exchange(turned_, {}));
+  for (const std::uint32_t number : turned) {
     noteTurn(number);
-    touchAll(grid.wake(number));
+    grid.wake(number);
     refreshAround(number);
   }
-  for (const std::uint32_t number : byRows(std::exchange(rims_, {}))) refreshRim(number);
+  std::vector<std::uint32_t> changed = byRows(std::exchange(rims_, {}));
+  for (const std::uint32_t number : changed) refreshRim(number);
   rims_.clear();  // those that were woken just now
+  changed.insert(changed.end(), turned.begin(), turned.end());
+  for (const std::uint32_t number : byRows(std::move(changed)))
+    if (grid.stateOf(number) != ChunkState::asleep) touchAll(grid.chunk(number));
   for (const std::uint32_t number : byRows(std::exchange(spare_, {})))
     if (grid.border(number)) trim(number);
 }
@@ -256,10 +260,7 @@ void Ground::refreshRim(std::uint32_t number) {
     putRimToSleep(number);
     sleepy_.push_back(number);
   }
-  if (grid.stateOf(number) == ChunkState::asleep) return;
-  noteTurn(number);
-  Chunk& chunk = grid.chunk(number);
-  for (std::uint32_t k = 0; k < kRimCells; ++k) touch({&chunk, rimCell(k)}, chunk.facts[rimCell(k)]);
+  if (grid.stateOf(number) != ChunkState::asleep) noteTurn(number);
 }
 
 std::vector<std::uint32_t> Ground::sleep() {

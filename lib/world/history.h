@@ -73,6 +73,7 @@ class History {
 
   /// There is no mark, and nothing has changed since the last commit.
   void follow(bool follow);
+  bool isFollowed() const { return committed_ != 0; }
   /// A chunk is about to leave.
   void leaves(std::uint32_t chunk) {
     if (committed_ != 0) cellChanges_.leaves(ground_, committed_, chunk);

@@ -301,6 +301,8 @@ Expected<void> World::followCells(bool follow) noexcept {
   return {};
 }
 
+bool World::followsCells() const noexcept { return impl_->history.isFollowed(); }
+
 std::span<const CellChange> World::cellChanges() const noexcept { return impl_->history.cellChanges().all(); }
 
 // --- Saving

@@ -373,6 +373,8 @@ class World {
   /// the call: O(1). While a world follows, edits cost what they cost while there is a mark; and a commit reads the
   /// edited cells, which takes time and memory in proportion to their polygons and vertices, before and now.
   [[nodiscard]] Expected<void> followCells(bool follow) noexcept;
+  /// Whether it is kept.
+  bool followsCells() const noexcept;
 
   /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
   /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the

@@ -26,9 +26,7 @@ Islands::Islands(Islands&&) noexcept = default;
 Islands& Islands::operator=(Islands&&) noexcept = default;
 
 bool Islands::update(const World& world, const Changes& changes) noexcept {
-  // A world that does not follow its cells tells none, whatever has changed.
-  const bool isTold = !changes.removed.empty() || !changes.added.empty() || !changes.relinked.empty();
-  if (isTold && world.cellChanges().empty()) return false;
+  if (!world.followsCells()) return false;
   if (!impl_->loops.update(world, changes)) return false;
   impl_->view.update(world, impl_->loops);
   return true;
