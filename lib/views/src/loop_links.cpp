@@ -157,13 +157,16 @@ void LoopView::findOpenEnds() {
   }
 }
 
-/// A new segment with the ends of one that is gone goes on for it: it has another owner.
+/// A new segment with the ends of one that is gone goes on for it: it has another owner, or only another id.
 void LoopView::putAll(std::span<const Segment> added) {
   for (const Segment& s : added) {
     treaps_.put(s.id.value, s.start, s.end);
     const auto same = std::lower_bound(gone_.begin(), gone_.end(), Gone{s.start, s.end, 0});
-    if (same != gone_.end() && same->start == s.start && same->end == s.end && same->loop != 0)
+    if (same == gone_.end() || same->start != s.start || same->end != s.end) continue;
+    if (same->loop != 0)
       rests_.push_back({s.id.value, same->loop, 1});
+    else
+      openEnds_.push_back(s.id.value);
   }
 }
 
