@@ -60,7 +60,7 @@ void CellChanges::readTurned(const Ground& ground, Journal::Moment commit) {
     if (!now.empty()) continue;
     polygons.clear();
     for (const LeftPolygon& p : cell.polygons) polygons.push_back({p.handle, p.block, p.vertices});
-    add(ground.grid.cellOf(cell.ref), polygons, {});
+    add(ground.grid.cellOfAny(cell.ref), polygons, {});
   }
   std::vector<std::uint32_t> turned;
   for (const auto& [chunk, was] : wasLoaded_)
@@ -87,7 +87,7 @@ void CellChanges::nameEach(const Ground& ground, std::span<const std::uint32_t> 
   std::ranges::sort(named);
   for (const std::uint32_t chunk : turned) {
     if (ground.grid.stateOf(chunk) == ChunkState::none) continue;
-    const Cell corner = cornerOf(ground.grid.cellOf(chunk * kChunkCells));
+    const Cell corner = cornerOf(ground.grid.cellOfAny(chunk * kChunkCells));
     if (!std::ranges::binary_search(named, corner)) add(corner, {}, {});
   }
 }
@@ -121,7 +121,7 @@ void CellChanges::read(Ground& ground, Journal::Moment commit, Way way) {
     }
     if (!was) then.clear();
     if (!is) now.clear();
-    add(ground.grid.cellOf(note.key), then, now);
+    add(ground.grid.cellOfAny(note.key), then, now);
   }
   readTurned(ground, commit);
   own();

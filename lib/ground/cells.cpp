@@ -32,7 +32,7 @@ std::optional<Slot> Cells::slotOf(PolygonHandle handle) const {
 Error Cells::noPolygon(PolygonHandle handle) const {
   const Border* border = grid.border(handle.cellRef / kChunkCells);
   if (!border) return {.code = ErrorCode::staleHandle, .other = handle};
-  return {.code = ErrorCode::unloaded, .cell = grid.cellOf(handle.cellRef), .other = handle};
+  return {.code = ErrorCode::unloaded, .cell = grid.cellOfAny(handle.cellRef), .other = handle};
 }
 
 void Cells::read(const Held& held, std::vector<PlacedPolygon>& out) const {

@@ -92,12 +92,12 @@ class Grid {
     if (index == 0 || index >= chunks_.size()) return {};
     return {chunks_[index].get(), cellRef % kChunkCells};
   }
-  /// Of a chunk with a number that is in use, or of none.
-  Cell cellOf(std::uint32_t cellRef) const {
-    const std::uint32_t number = cellRef / kChunkCells, local = cellRef % kChunkCells;
-    if (const Chunk* chunk = chunks_[number].get()) [[likely]]
-      return chunk->cell(local);
-    return cellIn(borders_[number]->ci, borders_[number]->cj, local);
+  /// Of a chunk that is not asleep.
+  Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells); }
+  /// The same of any chunk with a number that is in use.
+  Cell cellOfAny(std::uint32_t cellRef) const {
+    const auto [ci, cj] = *placeOf(cellRef / kChunkCells);
+    return cellIn(ci, cj, cellRef % kChunkCells);
   }
   static constexpr std::uint32_t kNoNumber = HashIndex::kNone;
   /// The number of the chunk in a place, given in chunks, loaded or not; kNoNumber if there is none.

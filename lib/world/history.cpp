@@ -69,7 +69,7 @@ std::vector<Cell> History::editedSince(Mark mark) const {
   const Moment moment = find(mark)->moment;
   std::vector<Cell> cells;
   for (const Note& note : ground_.journal.since(moment))
-    if (note.thing == Thing::cell && note.before < moment) cells.push_back(ground_.grid.cellOf(note.key));
+    if (note.thing == Thing::cell && note.before < moment) cells.push_back(ground_.grid.cellOfAny(note.key));
   return cells;
 }
 
@@ -239,11 +239,6 @@ void History::forgetUndone() {
 }
 
 // --- Commits, and followers
-
-void History::renewOutline(const Executor& executor) {
-  ground_.turnChunks();
-  outline_.update(ground_, hasMarks() ? &ground_.journal : nullptr, executor);
-}
 
 /// Frees what takes part in no commit.
 void History::freeSleeping() {

@@ -99,7 +99,10 @@ class History {
   };
 
   std::vector<Marked>::const_iterator find(Mark mark) const;
-  void renewOutline(const Executor& executor);
+  void renewOutline(const Executor& executor) {
+    ground_.turnChunks();
+    outline_.update(ground_, hasMarks() ? &ground_.journal : nullptr, executor);
+  }
   void noteCommit();
   void freeSleeping();
   void letGo(const Marked& mark);
