@@ -84,7 +84,7 @@ std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
   }
   for (const std::uint32_t number : chunksWithin(cells, true)) {
     const Border& border = *grid.border(number);
-    if (grid.stateOf(number) != ChunkState::asleep || grid.hasLoadedBeside(border)) continue;
+    if (grid.stateOf(number) != ChunkState::asleep || grid.hasLoadedBeside(border) || border.isOwed) continue;
     for (const Border::Run& run : border.runs) drop(run.word);
     for (const Border::Kept& kept : border.kept) drop(kept.word);
     grid.forget(number);

@@ -74,6 +74,9 @@ class Model {
   bool hasMarks() const { return timeline_.hasMarks(); }
   std::size_t marks() const { return timeline_.marks(); }
   bool hasAhead() const { return timeline_.hasAhead(); }
+  /// Of the unloaded chunks that forgetChunks() takes, those that it takes only if no edit of them was undone or redone
+  /// since they left.
+  std::size_t mayStay(const CellRect& cells) const;
 
   /// Of a cell, or of a rectangle.
   static Cell chunkOf(Cell cell) { return {cell.i >> 5, cell.j >> 5}; }
@@ -113,6 +116,7 @@ class Model {
   void reload(Cell corner, const World* world);
   bool isBesideLoaded(Cell chunk, const std::set<Cell>& gone = {}) const;
   std::vector<Cell> leaving(const CellRect& cells) const;
+  bool stays(Cell chunk, const World* world) const;
   void takeAway(Cell chunk);
   void bringBack(const Content& content);
   void goTo(State state);
@@ -122,6 +126,7 @@ class Model {
   State now_;
   Timeline<State> timeline_;
   std::map<Cell, std::vector<Content>> shelf_;  // what chunks were unloaded as
+  std::set<Cell> owed_;                         // unloaded ones that may hold something else since
   std::uint64_t names_ = 0;
 };
 

@@ -297,7 +297,8 @@ class World {
 
   /// Lets go of a place that the game has left. Each chunk of 32×32 cells that lies in the rectangle as a whole and
   /// holds no polygon gives its memory back; and so does each unloaded one that had no loaded chunk around it at the
-  /// last commit. Other chunks, and those that lie in the rectangle in part, stay as they are. Returns how many chunks
+  /// last commit, unless the world went back or forward over edits of it since it left, for then its bytes do not say
+  /// what it holds. Other chunks, and those that lie in the rectangle in part, stay as they are. Returns how many chunks
   /// went. An empty rectangle is no error.
   ///
   /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until

@@ -205,7 +205,7 @@ LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error)
 
 /* Lets go of a place that the game has left. Each chunk of 32x32 cells that lies in the rectangle as a whole and holds
  * no polygon gives its memory back, and so does each unloaded one that had no loaded chunk around it at the last
- * commit; other chunks stay as they are. `forgotten` receives how many chunks went. An empty rectangle is no error. All
+ * commit, unless the world went back or forward over edits of it since it left; other chunks stay. `forgotten` receives how many chunks went. An empty rectangle is no error. All
  * polygon ids that were ever given out for cells of these chunks are void: they name nothing until they are given out
  * again, maybe for another place. Segments, shapes and all other ids are not touched. Refused: LGS_CELL_OUT_OF_RANGE,
  * with a corner of the rectangle that is out of range; LGS_UNCOMMITTED, while edits are not committed or there are
