@@ -139,7 +139,7 @@ class Walk {
   }
 
   void forget(std::int32_t ci) {
-    if (!world_.forget(lgs::CellRect{cellsOf({ci, -1}).min, cellsOf({ci, kHeight}).max})) std::abort();
+    if (!world_.forgetChunks(lgs::CellRect{cellsOf({ci, -1}).min, cellsOf({ci, kHeight}).max})) std::abort();
     for (std::int32_t cj = -1; cj <= kHeight; ++cj) shelf_.erase({ci, cj});
   }
 

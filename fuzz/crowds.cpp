@@ -64,7 +64,7 @@ std::string crowdAndLeave(const World& world, Random& random) {
   const CellRect place = emptyPlace(twin);
   if (std::string wrong = random.chance(50) ? comeAndGo(twin, place) : wear(twin, place.min); !wrong.empty())
     return wrong;
-  const auto gone = twin.forget(place);
+  const auto gone = twin.forgetChunks(place);
   if (!gone || *gone == 0) return "a place that was left is not forgotten";
   if (!samePolygons(before, twin)) return "who comes and goes leaves other polygons";
   if (std::string wrong = saveAndLoad(twin); !wrong.empty()) return wrong;
@@ -75,7 +75,7 @@ std::string crowdAndLeave(const World& world, Random& random) {
     return "a world can not be unloaded";
   twin.commit();
   if (!twin.segments().empty() || !twin.firstUnloaded(all) != chunks.empty()) return "an unloaded world shows segments";
-  const auto forgotten = twin.forget(all);
+  const auto forgotten = twin.forgetChunks(all);
   if (!forgotten || *forgotten != chunks.size() || twin.stats().chunks != 0) return "unloaded chunks are not forgotten";
   World other(world.preserveRelation());
   for (World* w : {&twin, &other}) {

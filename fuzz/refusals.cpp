@@ -30,8 +30,7 @@ std::vector<LocalPoint> manyVertices() {
 bool refusesMarks(World& world) {
   return isRefused(world.rollBack({}), ErrorCode::unknownMark) &&
          isRefused(world.rollForward({}), ErrorCode::unknownMark) &&
-         isRefused(world.forget({}), ErrorCode::unknownMark) &&
-         isRefused(world.editedSince({}), ErrorCode::unknownMark);
+         isRefused(world.forget({}), ErrorCode::unknownMark);
 }
 
 bool refusesPlaces(World& world) {
@@ -40,7 +39,7 @@ bool refusesPlaces(World& world) {
          isRefused(world.reloadEmpty(kBeyond), ErrorCode::cellOutOfRange) &&
          isRefused(world.clear(kBeyond), ErrorCode::cellOutOfRange) && world.unload(kNone, sink).value_or(1) == 0 &&
          world.reloadEmpty(kNone).value_or(1) == 0 && world.clear(kNone).value_or(1) == 0 &&
-         world.forget(kNone).value_or(1) == 0 && !world.firstUnloaded(kNone) && world.isEmpty(kBeyond.max) &&
+         world.forgetChunks(kNone).value_or(1) == 0 && !world.firstUnloaded(kNone) && world.isEmpty(kBeyond.max) &&
          world.polygons(kBeyond.max).empty() && world.segments(kNone).empty();
 }
 
@@ -113,7 +112,7 @@ std::string refuseAll(World& world) {
   if (!refusesRegions(world)) return "a region that is none is taken";
   const Mark mark = world.checkpoint();
   if (!isRefused(world.followCells(true), ErrorCode::uncommitted)) return "cells are followed from a mark on";
-  if (!isRefused(world.forget(kAll), ErrorCode::uncommitted)) return "chunks are forgotten while there is a mark";
+  if (!isRefused(world.forgetChunks(kAll), ErrorCode::uncommitted)) return "chunks are forgotten while there is a mark";
   if (!world.forget(mark)) return "a mark is lost";
   if (!writeSvg(world, {"<g/>", 2, {}}).ends_with("</svg>\n") || !writeSvg(world, {"<g/>", -1, {}}).starts_with("<svg"))
     return "a picture has no end";

@@ -70,9 +70,9 @@ std::set<PolygonHandle> handlesIn(const World& world) {
 /// What the result must tell: which polygons are no more, and which are new.
 std::string wrongResult(const World& before, const World& after, const BrushResult& result) {
   std::set<PolygonHandle> old = handlesIn(before), now = handlesIn(after);
-  for (const PolygonHandle handle : result.went)
+  for (const PolygonHandle handle : result.removed)
     if (old.erase(handle) == 0 || now.contains(handle)) return "names a polygon that has not gone";
-  for (const PolygonHandle handle : result.came)
+  for (const PolygonHandle handle : result.added)
     if (now.erase(handle) == 0 || old.contains(handle)) return "names a polygon that has not come";
   for (const BrushChange& change : result.changed) {
     if (change.now.empty() || old.erase(change.old) == 0) return "names a polygon as changed that was not there";

@@ -72,10 +72,10 @@ class Following {
     edit(same)(world_);
     if (std::string wrong = update(world_.commit()); !wrong.empty()) return wrong;
     const IslandChanges& did = views_.islands.changes();
-    const bool isSame = would.changes.came.size() == did.came.size() && would.changes.went.size() == did.went.size() &&
-                        would.changes.changed.size() == did.changed.size() &&
-                        would.changes.cutOff.size() == did.cutOff.size() &&
-                        would.changes.joined.size() == did.joined.size();
+    const bool isSame =
+        would.changes.added.size() == did.added.size() && would.changes.removed.size() == did.removed.size() &&
+        would.changes.changed.size() == did.changed.size() && would.changes.cutOff.size() == did.cutOff.size() &&
+        would.changes.joined.size() == did.joined.size();
     return isSame ? "" : "foresee() foresees something else";
   }
 

@@ -94,7 +94,7 @@ class Ground : public Cells {
 
   /// Forgets the chunks that lie in a rectangle as a whole and hold nothing, and the unloaded ones that no loaded one
   /// is beside. Returns their numbers. Nobody goes back, and nothing has changed since the last commit.
-  std::vector<std::uint32_t> forget(const CellRect& cells);
+  std::vector<std::uint32_t> forgetChunks(const CellRect& cells);
   /// The loaded chunks, or the unloaded ones, that lie in a rectangle as a whole: their numbers, by rows.
   std::vector<std::uint32_t> chunksWithin(const CellRect& cells, bool areUnloaded) const;
   /// The first unloaded cell of a rectangle, by rows; nothing if it has none.

@@ -69,7 +69,7 @@ std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
   return first;
 }
 
-std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
+std::vector<std::uint32_t> Ground::forgetChunks(const CellRect& cells) {
   assert(!hasChanged());
   std::vector<std::uint32_t> gone;
   for (const std::uint32_t number : chunksWithin(cells, false))

@@ -65,14 +65,6 @@ void History::forget(Mark mark) {
   letGo(gone);
 }
 
-std::vector<Cell> History::editedSince(Mark mark) const {
-  const Moment moment = find(mark)->moment;
-  std::vector<Cell> cells;
-  for (const Note& note : ground_.journal.since(moment))
-    if (note.thing == Thing::cell && note.before < moment) cells.push_back(ground_.grid.cellOfAny(note.key));
-  return cells;
-}
-
 // --- Going back
 
 void History::rollBack(Mark mark, Undone undone, Changes& changes) {

@@ -54,8 +54,6 @@ class History {
   void forget(Mark mark);
   /// Whether a commit found something since the mark, which must be known.
   bool committedSince(Mark mark) const { return ground_.journal.isNotedSince(find(mark)->moment, Thing::commit, 0); }
-  /// The cells, each once, in the order of their first edit.
-  std::vector<Cell> editedSince(Mark mark) const;
 
   // --- Commits
 

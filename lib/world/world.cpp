@@ -212,11 +212,6 @@ Expected<void> World::rollForward(Mark mark) noexcept {
   return {};
 }
 
-Expected<std::vector<Cell>> World::editedSince(Mark mark) const noexcept {
-  if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
-  return impl_->history.editedSince(mark);
-}
-
 const Changes& World::changesOfRollBack() const noexcept { return impl_->changesOfRollBack; }
 
 Expected<void> World::forget(Mark mark) noexcept {
@@ -245,11 +240,11 @@ Transaction::~Transaction() noexcept {
 
 // --- Leaving places
 
-Expected<std::uint64_t> World::forgetRect(const CellRect& cells) noexcept {
+Expected<std::uint64_t> World::forgetChunks(const CellRect& cells) noexcept {
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   if (const auto done = detail::checkCorners(cells); !done) return refuse(done.error());
   if (impl_->ground.hasChanged() || impl_->history.hasMarks()) return refuse({.code = ErrorCode::uncommitted});
-  const std::vector<std::uint32_t> gone = impl_->ground.forget(cells);
+  const std::vector<std::uint32_t> gone = impl_->ground.forgetChunks(cells);
   for (const std::uint32_t chunk : gone) impl_->outline.forget(chunk);
   impl_->outline.giveBackPages();
   return gone.size();

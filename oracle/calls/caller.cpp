@@ -50,7 +50,8 @@ bool areAlike(const Error& a, const Error& b) {
 
 bool operator==(const Outcome& a, const Outcome& b) {
   const auto fields = [](const Outcome& o) {
-    return std::tie(o.shape, o.told, o.handles, o.count, o.changes, o.chunks, o.parts, o.brushed.went, o.brushed.came);
+    return std::tie(o.shape, o.told, o.handles, o.count, o.changes, o.chunks, o.parts, o.brushed.removed,
+                    o.brushed.added);
   };
   if (a.refusal.has_value() != b.refusal.has_value() || (a.refusal && !areAlike(*a.refusal, *b.refusal))) return false;
   return fields(a) == fields(b);
@@ -150,7 +151,7 @@ Outcome Caller::makeResolved(const Call& call) {
       timeline_.forget(call.nth);
       return out;
     case Call::Kind::leave:
-      if (const auto count = world.forget(call.cells); isDone(count, out)) out.count = *count;
+      if (const auto count = world.forgetChunks(call.cells); isDone(count, out)) out.count = *count;
       break;
     case Call::Kind::copy:
       world = World(world);

@@ -60,8 +60,8 @@ bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
 
 std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
   for (const Call& part : done.edits) {
-    if (part.kind != Call::Kind::remove || std::ranges::find(done.bent, part.name()) != done.bent.end()) continue;
-    if (!mayMeet(brush, done.went.at(part.name())))
+    if (part.kind != Call::Kind::remove || std::ranges::find(done.rounded, part.name()) != done.rounded.end()) continue;
+    if (!mayMeet(brush, done.removed.at(part.name())))
       return fmt::format("'{}' has changed, but is not reached", part.name());
   }
   return "";

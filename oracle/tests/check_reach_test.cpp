@@ -66,10 +66,10 @@ TEST(CheckReach, OfSeveralRings) {
 TEST(CheckReach, BlamesWhatIsNeitherReachedNorBent) {
   Brushed done;
   done.edits = {Call::remove("a"), Call::add("b", kSquare)};
-  done.went["a"] = kSquare;
+  done.removed["a"] = kSquare;
   EXPECT_EQ(wrongReach(brush({box(7, 7, 8, 8)}), done), "'a' has changed, but is not reached");
   EXPECT_EQ(wrongReach(brush({box(5, 5, 8, 8)}), done), "");
-  done.bent = {"a"};
+  done.rounded = {"a"};
   EXPECT_EQ(wrongReach(brush({box(7, 7, 8, 8)}), done), "");
 }
 

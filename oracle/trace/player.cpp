@@ -226,13 +226,14 @@ Player::Done Player::brush(const Call& call) {
 // A polygon that has kept its handle, its block and its vertices has kept its name. What else there is gets a new one:
 // no trace can name it, since # begins a comment. The result must tell of just these.
 Player::Done Player::readBack(const Call& call, const BrushResult& result) {
-  std::set<PolygonHandle> old(result.went.begin(), result.went.end()), made(result.came.begin(), result.came.end());
+  std::set<PolygonHandle> old(result.removed.begin(), result.removed.end()),
+      made(result.added.begin(), result.added.end());
   for (const BrushChange& change : result.changed) {
     if (change.now.empty()) return wrong("the brush tells of a polygon that it became nothing");
     old.insert(change.old);
     made.insert(change.now.begin(), change.now.end());
   }
-  if (old.size() != result.went.size() + result.changed.size())
+  if (old.size() != result.removed.size() + result.changed.size())
     return wrong("the brush tells twice what it did to a polygon");
   const CellRect cells = cellsUnder(call.brush);
   std::map<PolygonHandle, ScenePolygon> there;
@@ -247,17 +248,17 @@ Player::Done Player::readBack(const Call& call, const BrushResult& result) {
       const bool isKept = now != there.end() && now->second == ScenePolygon{cell, block, vertices};
       if (isKept == old.contains(handle))
         return wrong(fmt::format("the brush does not tell what it did to '{}'", name));
-      const bool isBent = std::ranges::find(result.bent, handle) != result.bent.end();
+      const bool isBent = std::ranges::find(result.rounded, handle) != result.rounded.end();
       if (isKept && isBent) return wrong(fmt::format("the brush says that it bent '{}', which is as it was", name));
-      if (isBent) brushed_.bent.push_back(name);
+      if (isBent) brushed_.rounded.push_back(name);
       if (isKept) {
         there.erase(now);
       } else {
-        brushed_.went[name] = {cell, block, vertices};
+        brushed_.removed[name] = {cell, block, vertices};
       }
     }
   }
-  for (const auto& entry : brushed_.went) {
+  for (const auto& entry : brushed_.removed) {
     edited_.insert(entry.second.cell);
     lost_[entry.first] = call.line;
     brushed_.edits.push_back(Call::remove(entry.first));

@@ -19,9 +19,9 @@ namespace lgs::oracle {
 
 /// What a brush did, as edits by hand.
 struct Brushed {
-  std::vector<Call> edits;                   ///< removes of what it changed in any way, then adds of what is there now
-  std::map<std::string, ScenePolygon> went;  ///< what these removed
-  std::vector<std::string> bent;             ///< of those that are removed: what it is said to have bent against law 9
+  std::vector<Call> edits;  ///< removes of what it changed in any way, then adds of what is there now
+  std::map<std::string, ScenePolygon> removed;  ///< what these removed
+  std::vector<std::string> rounded;  ///< of those that are removed: what it is said to have bent against law 9
 };
 
 /// The engine is wrong.

@@ -153,11 +153,11 @@ std::string IslandCheck::checkIds(const std::vector<Kin>& kin, const ById& now) 
 }
 
 std::string wrongLists(IslandChanges expected, const IslandChanges& changes) {
-  for (auto* ids : {&expected.came, &expected.went, &expected.changed}) std::ranges::sort(*ids);
+  for (auto* ids : {&expected.added, &expected.removed, &expected.changed}) std::ranges::sort(*ids);
   for (auto* pairs : {&expected.cutOff, &expected.joined}) std::ranges::sort(*pairs);
   std::ranges::sort(expected.before, {}, &IslandFacts::id);
-  if (changes.came != expected.came) return "another list of islands that came";
-  if (changes.went != expected.went) return "another list of islands that went";
+  if (changes.added != expected.added) return "another list of islands that came";
+  if (changes.removed != expected.removed) return "another list of islands that went";
   if (changes.changed != expected.changed) return "another list of islands that changed";
   if (changes.cutOff != expected.cutOff) return "another list of islands that were cut off";
   if (changes.joined != expected.joined) return "another list of islands that joined";
@@ -171,7 +171,7 @@ std::string IslandCheck::checkLists(const Islands& islands, const std::vector<Ki
     for (const IslandId id : k.news) {
       const auto old = before_.find(id);
       if (k.olds.empty()) {
-        expected.came.push_back(id);
+        expected.added.push_back(id);
       } else if (old == before_.end()) {
         expected.cutOff.push_back({k.news.front(), id});
       } else {
@@ -187,7 +187,7 @@ std::string IslandCheck::checkLists(const Islands& islands, const std::vector<Ki
       if (std::ranges::count(k.news, id) > 0) continue;
       expected.before.push_back(before_.at(id).facts);
       if (k.news.empty())
-        expected.went.push_back(id);
+        expected.removed.push_back(id);
       else
         expected.joined.push_back({id, k.news.front()});
     }

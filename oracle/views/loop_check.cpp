@@ -130,16 +130,16 @@ std::string LoopCheck::checkLists(const LoopChanges& changes, const ById& now, c
     }
   }
   for (const auto& [id, known] : now)
-    if (!before_.contains(id) && !cameFrom.contains(id)) expected.came.push_back(id);
+    if (!before_.contains(id) && !cameFrom.contains(id)) expected.added.push_back(id);
   for (const auto& [id, known] : before_) {
     const bool stays = now.contains(id), differs = stays && known.links != now.at(id).links;
-    if (!stays && !wentInto.contains(id)) expected.went.push_back(id);
+    if (!stays && !wentInto.contains(id)) expected.removed.push_back(id);
     // A roll-back lists what has the same id and the same ends, if it was another polygon's in between.
     if (differs || (stays && has(changes.changed, id))) expected.changed.push_back(id);
     if (differs || !stays || has(changes.changed, id)) expected.before.push_back(known.facts);
   }
-  if (changes.came != expected.came) return "another list of loops that came";
-  if (changes.went != expected.went) return "another list of loops that went";
+  if (changes.added != expected.added) return "another list of loops that came";
+  if (changes.removed != expected.removed) return "another list of loops that went";
   if (changes.changed != expected.changed) return "another list of loops that changed";
   if (changes.split != expected.split) return "another list of loops that split";
   if (changes.joined != expected.joined) return "another list of loops that joined";

@@ -13,10 +13,10 @@ ENGINE = "lib/include"
 # The headers of an interface, and the folders where they are. Of the terrain it is the one for Box2D 2.4; that for
 # Box2D 3 has the same functions with other types.
 CPP = {
-    "C++": (["lgs/world.h", "lgs/radial_match.h", "lgs/version.h"], [ENGINE]),
+    "C++": (["lgs/world.h", "lgs/version.h"], [ENGINE]),
     "brush": (["lgs/brush.h"], [ENGINE, "lib/brush/include"]),
     "pieces": (["lgs/pieces.h"], [ENGINE, "lib/pieces/include"]),
-    "views": (["lgs/hashes.h", "lgs/islands.h", "lgs/unloaded.h"], [ENGINE, "lib/views/include"]),
+    "views": (["lgs/hashes.h", "lgs/islands.h", "lgs/radial_match.h", "lgs/unloaded.h"], [ENGINE, "lib/views/include"]),
     "falling": (["lgs/falling.h", "lgs/ground.h"],
                 [ENGINE, "lib/views/include", "lib/brush/include", "addons/falling/include"]),
     "debug": (["lgs/debug.h"], [ENGINE, "addons/debug/include"]),

@@ -28,7 +28,6 @@ void addDoorsOfReading(Doors& door) {
   door(
       "World::boundingBox(ShapeId) const", [](Scene& s, ShapeId id) { return s.world.boundingBox(id); }, isUnknown);
   door("World::changesOfRollBack() const", [](Scene& s) { return s.world.changesOfRollBack().added.size(); });
-  door("World::editedSince(Mark) const", [](Scene& s, Mark mark) { return s.world.editedSince(mark); });
   door("World::followsCells() const", [](Scene& s) { return s.world.followsCells(); });
   door("World::cellChanges() const", [](Scene& s) { return s.world.cellChanges().size(); });
   door("World::save(const ByteSink&) const", [](Scene& s, const ByteSink& sink) { return s.world.save(sink); });

@@ -162,7 +162,7 @@ void addDoorsOfViews(Doors& door) {
     static_cast<void>(copy.update(isOther ? f.other : f.world, told.in(s)));
     for (const LoopId id : copy.all()) static_cast<void>(copy.loop(id));
   });
-  door("Loops::changes() const", [](Scene& s) { return followedBy(s).loops->changes().came.size(); });
+  door("Loops::changes() const", [](Scene& s) { return followedBy(s).loops->changes().added.size(); });
   door("Loops::loop(LoopId) const", [](Scene& s, LoopId id) { return followedBy(s).loops->loop(id).has_value(); });
   door("Loops::of(SegmentId) const", [](Scene& s, SegmentId id) { return followedBy(s).loops->of(id).value; });
   door("Loops::all() const", [](Scene& s) { return followedBy(s).loops->all().size(); });
@@ -191,7 +191,7 @@ void addDoorsOfViews(Doors& door) {
     static_cast<void>(copy.update(isOther ? f.other : f.world, told.in(s)));
     for (const IslandId id : copy.all()) static_cast<void>(copy.island(id));
   });
-  door("Islands::changes() const", [](Scene& s) { return followedBy(s).islands->changes().came.size(); });
+  door("Islands::changes() const", [](Scene& s) { return followedBy(s).islands->changes().added.size(); });
   door("Islands::island(IslandId) const",
        [](Scene& s, IslandId id) { return followedBy(s).islands->island(id).has_value(); });
   door("Islands::of(const World&, PolygonHandle) const",

@@ -190,12 +190,12 @@ void addDoorsOfWorlds(Doors& door) {
   door("World::reloadEmpty(const CellRect&)", [](Scene& s, const CellRect& r) { return s.world.reloadEmpty(r); });
   door("World::firstUnloaded(const CellRect&) const",
        [](Scene& s, const CellRect& r) { EXPECT_FALSE(s.world.firstUnloaded(r)); });
-  door("World::forget(const Rect&)", [](Scene& s, const CellRect& r, bool leaves) {
+  door("World::forgetChunks(const CellRect&)", [](Scene& s, const CellRect& r, bool leaves) {
     if (leaves) s.world.commit();
     for (const Mark mark : s.marks)
       if (leaves) static_cast<void>(s.world.forget(mark));
     const std::uint64_t chunks = s.world.stats().chunks;
-    const auto gone = s.world.forget(r);
+    const auto gone = s.world.forgetChunks(r);
     const bool isBad = !isEmpty(r) && (isOutOfRange(r.min) || isOutOfRange(r.max));
     EXPECT_TRUE(!isBad || !gone);
     EXPECT_EQ(s.world.stats().chunks, chunks - gone.value_or(0));

@@ -83,14 +83,14 @@ TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {
   World world;
   const Region cells = box({0, 0}, {3 * kCell, 2 * kCell});
   const auto painted = must(paint(world, cells, 1, PaintMode::fill));
-  EXPECT_EQ(painted.came.size(), 6U);
+  EXPECT_EQ(painted.added.size(), 6U);
   const auto recoloured = must(paint(world, cells, 2, PaintMode::replace));
   ASSERT_EQ(recoloured.changed.size(), 6U);
   EXPECT_EQ(recoloured.changed[0].now, std::vector{recoloured.changed[0].old}) << "it keeps its handle";
   EXPECT_EQ(world.at({5, 5}).block, 2U);
-  EXPECT_TRUE(paint(world, cells, 3, PaintMode::fill)->came.empty()) << "nothing is free";
+  EXPECT_TRUE(paint(world, cells, 3, PaintMode::fill)->added.empty()) << "nothing is free";
   const auto carved = carve(world, cells);
-  EXPECT_EQ(carved->went.size(), 6U);
+  EXPECT_EQ(carved->removed.size(), 6U);
   EXPECT_EQ(world.stats().polygons, 0U);
 }
 
@@ -101,7 +101,7 @@ TEST(Brush, AHoleCarvedIntoABlockIsTold) {
   ASSERT_EQ(carved.changed.size(), 1U);
   EXPECT_EQ(carved.changed[0].old, block);
   EXPECT_EQ(carved.changed[0].now.size(), 2U) << "the hole is cut open";
-  EXPECT_TRUE(carved.bent.empty()) << "it was met";
+  EXPECT_TRUE(carved.rounded.empty()) << "it was met";
   EXPECT_EQ(world.at({150, 150}).where, Spot::Where::outside);
   must(paint(world, box({100, 100}, {200, 200}), 7, PaintMode::fill));
   EXPECT_EQ(world.stats().polygons, 1U) << "equal blocks are united again";
@@ -113,7 +113,7 @@ TEST(Brush, APartBetweenChordsIsToldAsAPartOfItsPolygon) {
   const PolygonHandle full = world.add({0, 0}, kUnitSquare, 1).value();
   const Region hole{{{{10'000, 50'000}, {20'000, 30'000}, {50'000, 45'000}}}};
   const BrushResult carved = carve(world, hole).value();
-  EXPECT_TRUE(carved.came.empty());
+  EXPECT_TRUE(carved.added.empty());
   ASSERT_EQ(carved.changed.size(), 1U);
   EXPECT_EQ(carved.changed[0].old, full);
   EXPECT_EQ(carved.changed[0].now.size(), 2U);
@@ -128,7 +128,7 @@ TEST(Brush, APolygonThatComesOutAsItWasKeepsItsHandle) {
   const PolygonHandle below = *world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1);
   const auto painted = paint(world, box({100, 300}, {200, 400}), 2, PaintMode::fill);  // stands on it
   ASSERT_TRUE(painted.has_value());
-  EXPECT_EQ(painted->came.size(), 1U);
+  EXPECT_EQ(painted->added.size(), 1U);
   EXPECT_TRUE(painted->changed.empty());
   EXPECT_TRUE(world.polygon(below).has_value());
 }
@@ -138,7 +138,7 @@ std::size_t bentByTheLast(Ground ground, const Strokes& strokes) {
   World world = worldOf(ground);
   std::size_t bent = 0;
   for (const oracle::BrushEdit& edit : strokes) {
-    bent = must(stroke(world, edit)).bent.size();
+    bent = must(stroke(world, edit)).rounded.size();
   }
   return bent;
 }

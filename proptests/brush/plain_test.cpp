@@ -14,7 +14,7 @@ using brush::CellPolygon;
 
 void expectSame(const CellEdit& plain, const CellEdit& arranged) {
   EXPECT_EQ(plain.gone, arranged.gone);
-  EXPECT_EQ(plain.bent, arranged.bent);
+  EXPECT_EQ(plain.rounded, arranged.rounded);
   ASSERT_EQ(plain.placed.size(), arranged.placed.size());
   for (std::size_t k = 0; k < plain.placed.size(); ++k) {
     EXPECT_EQ(plain.placed[k].ring, arranged.placed[k].ring);

@@ -76,7 +76,7 @@ TEST(BrushRules, AFillLeavesFullCellsAsTheyAre) {
   const Region cells{{box({0, 0}, {2 * kCell, kCell})}};
   const PolygonHandle stone = *world.add({0, 0}, kUnitSquare, 1);
   const auto filled = must(paint(world, cells, 2, PaintMode::fill));
-  EXPECT_EQ(filled.came.size(), 1U);
+  EXPECT_EQ(filled.added.size(), 1U);
   EXPECT_TRUE(filled.changed.empty());
   EXPECT_EQ(world.polygon(stone)->block, 1U);
   const auto replaced = must(paint(world, cells, 2, PaintMode::replace));
@@ -91,8 +91,8 @@ TEST(BrushRules, WhatAWholeCellLosesIsTold) {
     const PolygonHandle right = *world.add({0, 0}, {{20, 0}, {29, 0}, {29, 9}}, 1);
     const Region cell{{box({0, 0}, {kCell, kCell})}};
     const auto result = must(paints ? paint(world, cell, 1, PaintMode::replace) : carve(world, cell));
-    EXPECT_EQ(result.went, (std::vector{left, right}));
-    EXPECT_EQ(result.came.size(), paints ? 1U : 0U);
+    EXPECT_EQ(result.removed, (std::vector{left, right}));
+    EXPECT_EQ(result.added.size(), paints ? 1U : 0U);
   }
 }
 
@@ -159,7 +159,7 @@ TEST(BrushRules, ASpikeReachesNothing) {
   // A ring runs to a point in the wedge and back again.
   const Ring ring{{300, 1'000}, {300, 17}, {300, 1'000}, {900, 1'000}, {900, 2'000}, {300, 2'000}};
   const auto painted = must(paint(world, {{ring}}, 2, PaintMode::replace));
-  EXPECT_EQ(painted.came.size(), 1U);
+  EXPECT_EQ(painted.added.size(), 1U);
   EXPECT_TRUE(painted.changed.empty()) << "there is no area around a spike";
   EXPECT_TRUE(world.polygon(wedge).has_value());
 }
@@ -171,7 +171,7 @@ TEST(BrushRules, AnEdgeReachesNothingBeyondWhereASpikeBegins) {
     World world;
     const PolygonHandle wedge = *world.add({0, 0}, {{0, 0}, {536, 0}, {536, 30}}, 1);
     const auto painted = must(paint(world, {{either}}, 2, PaintMode::replace));
-    EXPECT_EQ(painted.came.size(), 1U);
+    EXPECT_EQ(painted.added.size(), 1U);
     EXPECT_TRUE(painted.changed.empty());
     EXPECT_TRUE(world.polygon(wedge).has_value());
   }

@@ -124,8 +124,8 @@ TEST(BrushStayingByHand, OreAndBedrockKeepTheirHandles) {
   const auto stays = [](Block block) { return block == 9; };
   World dug = world;
   const auto done = must(carve(dug, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), stays));
-  EXPECT_EQ(done.went, (std::vector<PolygonHandle>{stone, half}));
-  EXPECT_TRUE(done.changed.empty() && done.came.empty());
+  EXPECT_EQ(done.removed, (std::vector<PolygonHandle>{stone, half}));
+  EXPECT_TRUE(done.changed.empty() && done.added.empty());
   EXPECT_TRUE(dug.polygon(bedrock) && dug.polygon(ore));
 
   must(paint(world, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), 4, PaintMode::replace, stays));
@@ -144,7 +144,7 @@ TEST(BrushStayingByHand, OreStaysWhereALargeStrokeCoversManyCellsAtOnce) {
   }
   const Region blast = rect({-5, -5}, {16 * kCellUnits + 5, 16 * kCellUnits + 5});
   const auto done = must(carve(world, blast, [](Block block) { return block == 9; }));
-  EXPECT_EQ(done.went.size(), 16U);
+  EXPECT_EQ(done.removed.size(), 16U);
   for (const PolygonHandle ore : ores) EXPECT_TRUE(world.polygon(ore));
 }
 
@@ -155,7 +155,7 @@ TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
   for (const bool carves : {true, false}) {
     const auto stays = [](Block) { return true; };
     const auto done = must(carves ? carve(world, hole, stays) : paint(world, hole, 3, PaintMode::replace, stays));
-    EXPECT_TRUE(done.went.empty() && done.changed.empty());
+    EXPECT_TRUE(done.removed.empty() && done.changed.empty());
     EXPECT_TRUE(world.polygon(bedrock));
   }
 }

@@ -40,7 +40,7 @@ TEST(BrushTight, AnEdgeThatMayNotBeLeftStraight) {
       false};
   const oracle::Scene before = bareScene(world);
   const auto result = must(stroke(world, edit));
-  EXPECT_EQ(result.bent.size(), 1U);
+  EXPECT_EQ(result.rounded.size(), 1U);
   EXPECT_EQ(farFromExact(before, edit, bareScene(world)), std::nullopt);
 }
 
@@ -55,7 +55,7 @@ TEST(BrushTight, AChainThatEntersAtAVertex) {
                                           {{{5000 - 475, 5000 - 24}, {5500, 4000}, {5000 + 1525, 5000 + 77}},
                                            {{5000 - 404, 5000 - 20}, {5500, 4000}, {5000 + 1596, 5000 + 79}}},
                                           false}));
-  EXPECT_EQ(result.bent.size(), 1U);
+  EXPECT_EQ(result.rounded.size(), 1U);
 }
 
 // The same edges, with the region on their other side. The polygon is inside of it, and nothing of it may be left

@@ -96,7 +96,7 @@ TEST(Memory, OfAHundredThousandEmptyChunksIsGivenBack) {
   m.world.commit();
   const double before = m.bytes();
   EXPECT_GT(before, 9'000.0 * chunks);
-  ASSERT_EQ(m.world.forget(CellRect{{0, 0}, {12'800, 12'800}}), static_cast<std::uint64_t>(chunks));
+  ASSERT_EQ(m.world.forgetChunks(CellRect{{0, 0}, {12'800, 12'800}}), static_cast<std::uint64_t>(chunks));
   EXPECT_EQ(m.world.stats().chunks, 0U);
   // What is left: ids of segments, which are used again, and working memory.
   EXPECT_LT(m.bytes(), 600'000 + 300.0 * std::bit_ceil(static_cast<unsigned>(chunks)));  // tables double
@@ -117,7 +117,7 @@ class Window {
     edit(next_ - 8, false);
     edit(next_, true);
     world.commit();
-    ASSERT_EQ(world.forget(CellRect{{32 * (next_ - 8), 0}, {32 * (next_ - 8) + 31, 127}}), 4U);
+    ASSERT_EQ(world.forgetChunks(CellRect{{32 * (next_ - 8), 0}, {32 * (next_ - 8) + 31, 127}}), 4U);
     ++next_;
   }
   std::size_t saved() const {
@@ -161,7 +161,7 @@ TEST(Memory, OfAThousandGoingsAndComingsStaysTheSame) {
   const auto goAndCome = [&] {
     ASSERT_TRUE(world.clear(kPlace));
     world.commit();
-    ASSERT_TRUE(world.forget(CellRect{{-128, -128}, {223, 127}}));
+    ASSERT_TRUE(world.forgetChunks(CellRect{{-128, -128}, {223, 127}}));
     EXPECT_EQ(world.stats().chunks, 0U);
     ASSERT_TRUE(world.fill(kPlace, square, 1));
     world.commit();
@@ -182,7 +182,7 @@ TEST(Memory, OfCellsThatHeldManyPolygonsInTurnIsGivenBack) {
       ASSERT_TRUE(world.clear(chunk));
     }
     world.commit();
-    ASSERT_EQ(world.forget(chunk), 1U);
+    ASSERT_EQ(world.forgetChunks(chunk), 1U);
   };
   for (std::int32_t column = 0; column < 5; ++column) goAndCome(column);
   const std::int64_t allocated = allocations().bytes;

@@ -169,17 +169,5 @@ TEST_F(GoingForwardByHand, WhatIsDroppedTakesNoMemory) {
   EXPECT_LT(world.stats().contents, 10U);
 }
 
-TEST_F(GoingForwardByHand, CellsThatWereEditedSinceAMarkAreNamedOnce) {
-  EXPECT_EQ(world.editedSince({}).error().code, ErrorCode::unknownMark);
-  EXPECT_EQ(world.editedSince(marks[0]).value(), (std::vector<Cell>{{0, 0}, {40, 0}, {80, 0}}));
-  removeAll(world, {40, 0});
-  place(world, {1, 0}, unitSquare());
-  world.commit();
-  place(world, {40, 0}, ramp());
-  EXPECT_EQ(world.editedSince(marks[3]).value(), (std::vector<Cell>{{40, 0}, {1, 0}}));
-  ASSERT_TRUE(world.rollBack(marks[3]));
-  EXPECT_TRUE(world.editedSince(marks[3]).value().empty());
-}
-
 }  // namespace
 }  // namespace lgs::test

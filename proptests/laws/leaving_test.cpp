@@ -1,4 +1,4 @@
-// World::forget() of a rectangle: empty chunks go, and nobody notices but by handles that are void and by memory.
+// World::forgetChunks(): empty chunks go, and nobody notices but by handles that are void and by memory.
 #include "twins.h"
 #include "unloaded.h"
 
@@ -16,36 +16,36 @@ TEST(LeavingByHand, TakesWhatLiesInTheRectangleAndIsEmpty) {
   removeAll(world, {0, 0});
   removeAll(world, {32, 0});
   world.commit();
-  EXPECT_EQ(world.forget(CellRect{{0, 0}, {31, 30}}), 0U) << "a row of its cells is not in the rectangle";
-  EXPECT_EQ(world.forget(CellRect{{1, 0}, {31, 31}}), 0U);
-  EXPECT_EQ(world.forget(CellRect{{0, 1}, {31, 31}}), 0U);
-  EXPECT_EQ(world.forget(CellRect{{0, 0}, {30, 31}}), 0U);
-  EXPECT_EQ(world.forget(chunkAt(0, 0)), 1U);
-  EXPECT_EQ(world.forget(chunkAt(0, 0)), 0U) << "it is gone";
+  EXPECT_EQ(world.forgetChunks(CellRect{{0, 0}, {31, 30}}), 0U) << "a row of its cells is not in the rectangle";
+  EXPECT_EQ(world.forgetChunks(CellRect{{1, 0}, {31, 31}}), 0U);
+  EXPECT_EQ(world.forgetChunks(CellRect{{0, 1}, {31, 31}}), 0U);
+  EXPECT_EQ(world.forgetChunks(CellRect{{0, 0}, {30, 31}}), 0U);
+  EXPECT_EQ(world.forgetChunks(chunkAt(0, 0)), 1U);
+  EXPECT_EQ(world.forgetChunks(chunkAt(0, 0)), 0U) << "it is gone";
   EXPECT_EQ(world.stats().chunks, 2U);
-  EXPECT_EQ(world.forget(kEverywhere), 1U) << "the third one holds a polygon";
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U) << "the third one holds a polygon";
   EXPECT_EQ(world.stats().chunks, 1U);
-  EXPECT_EQ(world.forget(CellRect{{0, 0}, {-1, 31}}), 0U) << "an empty rectangle";
+  EXPECT_EQ(world.forgetChunks(CellRect{{0, 0}, {-1, 31}}), 0U) << "an empty rectangle";
 }
 
 TEST(LeavingByHand, IsRefusedWhileSomebodyMayNeedTheChunks) {
   World world;
   place(world, {}, unitSquare());
-  EXPECT_EQ(world.forget(kEverywhere).error().code, ErrorCode::uncommitted);
+  EXPECT_EQ(world.forgetChunks(kEverywhere).error().code, ErrorCode::uncommitted);
   world.commit();
   const Mark mark = world.checkpoint();
   removeAll(world, {});
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere).error().code, ErrorCode::uncommitted);
+  EXPECT_EQ(world.forgetChunks(kEverywhere).error().code, ErrorCode::uncommitted);
   EXPECT_TRUE(world.rollBack(mark));
   EXPECT_FALSE(world.isEmpty({}));
   removeAll(world, {});
   world.commit();
   EXPECT_TRUE(world.forget(mark));
-  EXPECT_EQ(world.forget(kEverywhere), 1U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
   const CellRect beyond{{0, 0}, {kMaxCell + 1, 0}};
-  EXPECT_EQ(world.forget(beyond).error().code, ErrorCode::cellOutOfRange);
-  EXPECT_EQ(world.forget(beyond).error().cell, beyond.max);
+  EXPECT_EQ(world.forgetChunks(beyond).error().code, ErrorCode::cellOutOfRange);
+  EXPECT_EQ(world.forgetChunks(beyond).error().cell, beyond.max);
 }
 
 TEST(LeavingByHand, ChunksAtTheEndsOfTheWorldNeedNoCellsBeyond) {
@@ -56,10 +56,10 @@ TEST(LeavingByHand, ChunksAtTheEndsOfTheWorldNeedNoCellsBeyond) {
     EXPECT_TRUE(world.remove(handle));
     world.commit();
   }
-  EXPECT_EQ(world.forget(CellRect{{kMaxCell, kMaxCell}, {kMaxCell, kMaxCell}}), 1U);
-  EXPECT_EQ(world.forget(CellRect{{-kMaxCell, -kMaxCell}, {-kMaxCell + 30, -kMaxCell + 31}}), 0U);
-  EXPECT_EQ(world.forget(CellRect{{-kMaxCell, -kMaxCell}, {-kMaxCell + 31, -kMaxCell + 31}}), 1U);
-  EXPECT_EQ(world.forget(CellRect{{kMaxCell, 0}, {kMaxCell, 31}}), 1U);
+  EXPECT_EQ(world.forgetChunks(CellRect{{kMaxCell, kMaxCell}, {kMaxCell, kMaxCell}}), 1U);
+  EXPECT_EQ(world.forgetChunks(CellRect{{-kMaxCell, -kMaxCell}, {-kMaxCell + 30, -kMaxCell + 31}}), 0U);
+  EXPECT_EQ(world.forgetChunks(CellRect{{-kMaxCell, -kMaxCell}, {-kMaxCell + 31, -kMaxCell + 31}}), 1U);
+  EXPECT_EQ(world.forgetChunks(CellRect{{kMaxCell, 0}, {kMaxCell, 31}}), 1U);
 }
 
 TEST(LeavingByHand, VoidsTheHandlesOfThesePlaces) {
@@ -67,7 +67,7 @@ TEST(LeavingByHand, VoidsTheHandlesOfThesePlaces) {
   const PolygonHandle gone = place(world, {3, 4}, unitSquare()), stays = place(world, {40, 4}, unitSquare());
   EXPECT_TRUE(world.remove(gone));
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 1U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
   EXPECT_EQ(world.remove(gone).error().code, ErrorCode::staleHandle);
   EXPECT_EQ(world.cellOf(stays), (Cell{40, 4}));
   // The numbers of chunks that went are given out again, the least first: so nothing else has to be saved.
@@ -82,7 +82,7 @@ TEST(LeavingByHand, AWorldWithoutThemIsSavedAndGoesOn) {
   for (const std::int32_t k : {0, 2, 3}) removeAll(world, {32 * k, 0});
   world.commit();
   EXPECT_EQ(std::to_integer<int>(saved(world)[7]), 1) << "the version of a world that has all numbers";
-  EXPECT_EQ(world.forget(kEverywhere), 3U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 3U);
   const std::vector<std::byte> bytes = saved(world);
   EXPECT_EQ(std::to_integer<int>(bytes[7]), 2);
   World loaded = std::move(*World::load(bytes));
@@ -103,7 +103,7 @@ TEST(LeavingByHand, GoingBackGivesChunksTheirNumbersAgain) {
   for (std::int32_t k = 0; k < 5; ++k) place(world, {32 * k, 0}, unitSquare());
   for (const std::int32_t k : {1, 3}) removeAll(world, {32 * k, 0});
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 2U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 2U);
   const std::vector<std::byte> before = saved(world);
   const Mark mark = world.checkpoint();
   std::vector<PolygonHandle> handles;
@@ -128,7 +128,7 @@ TEST(LeavingByHand, ARefusedCallOfManyLeavesTheNumbersAsTheyWere) {
   for (std::int32_t k = 0; k < 4; ++k) place(world, {32 * k, 0}, unitSquare());
   for (const std::int32_t k : {0, 2}) removeAll(world, {32 * k, 0});
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 2U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 2U);
   const ShapeId square = shapeOf(world, {unitSquare()});
   const std::vector<std::byte> before = saved(world);
   const std::vector<Placement> refused{
@@ -144,7 +144,7 @@ TEST(LeavingByHand, FollowersKeepWhatTheyWereTold) {
   world.commit();
   removeAll(world, {5, 5});
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 1U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
   ASSERT_EQ(world.cellChanges().size(), 1U);
   EXPECT_EQ(world.cellChanges()[0].before[0].handle, handle);
   place(world, {500, 5}, unitSquare());
@@ -162,7 +162,7 @@ TEST(LeavingByHand, TakesWhatCellsRememberOfManyPolygons) {
     removeAll(world, {1, 0});
   }
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 1U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
   EXPECT_EQ(place(world, {1, 0}, unitSquare()).serial, 1U) << "as if no edit had ever been there";
 }
 

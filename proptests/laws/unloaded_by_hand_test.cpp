@@ -153,7 +153,7 @@ TEST(UnloadedByHand, BytesAreThoseOfTheChunkOrRefused) {
       World victim = rowOfChunks(1);
       EXPECT_EQ(victim.unload(kEverywhere, {}), 1U);
       victim.commit();
-      EXPECT_EQ(victim.forget(kEverywhere), 1U);
+      EXPECT_EQ(victim.forgetChunks(kEverywhere), 1U);
       static_cast<void>(victim.reload(spoilt(bytes, k, std::byte{1} << bit)));
       victim.commit();
       EXPECT_EQ(victim.unload(kEverywhere, {}).has_value(), true);
@@ -166,12 +166,12 @@ TEST(UnloadedByHand, ForgottenPlacesGiveTheirNumbersAndBordersBack) {
   World world = rowOfChunks(3);
   Shelf shelf;
   EXPECT_EQ(world.unload({{0, 0}, {63, 31}}, shelf.sink()), 2U);
-  EXPECT_EQ(world.forget(kEverywhere).error().code, ErrorCode::uncommitted);
+  EXPECT_EQ(world.forgetChunks(kEverywhere).error().code, ErrorCode::uncommitted);
   world.commit();
   EXPECT_EQ(world.stats().chunks, 3U);
-  EXPECT_EQ(world.forget(kEverywhere), 1U) << "the second one is beside one that is loaded";
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U) << "the second one is beside one that is loaded";
   EXPECT_EQ(world.firstUnloaded(kEverywhere), (Cell{32, 0}));
-  EXPECT_EQ(world.forget({{0, 0}, {63, 31}}), 0U);
+  EXPECT_EQ(world.forgetChunks({{0, 0}, {63, 31}}), 0U);
   // It comes back where it was, under a number that is free.
   EXPECT_TRUE(shelf.reload(world, {0, 0}));
   EXPECT_TRUE(shelf.reload(world, {32, 0}));
@@ -181,10 +181,10 @@ TEST(UnloadedByHand, ForgottenPlacesGiveTheirNumbersAndBordersBack) {
   EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
   EXPECT_TRUE(world.clear(CellRect{{32, 0}, {95, 31}}));
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 2U);
-  EXPECT_EQ(world.forget(kEverywhere), 0U) << "what the empty ones needed goes with a commit";
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 2U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 0U) << "what the empty ones needed goes with a commit";
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 1U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
   EXPECT_EQ(world.stats().chunks, 0U);
   EXPECT_TRUE(world.save({}));
 }
@@ -194,13 +194,13 @@ TEST(UnloadedByHand, WhatNobodyNeedsCanBeForgottenAfterGoingBackToo) {
   EXPECT_EQ(world.unload(chunkAt(0, 0), {}), 1U);
   EXPECT_TRUE(world.clear(CellRect{{32, 0}, {63, 31}}));
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 1U) << "the empty one";
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U) << "the empty one";
   const Mark mark = world.checkpoint();
   world.commit();
   EXPECT_TRUE(world.rollBack(mark));
   EXPECT_TRUE(world.forget(mark));
   world.commit();
-  EXPECT_EQ(world.forget(kEverywhere), 1U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
 }
 
 TEST(UnloadedByHand, TheFirstChunkBesideWakesTheBorder) {

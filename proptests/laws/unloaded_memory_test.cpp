@@ -25,7 +25,7 @@ TEST(UnloadedByHand, MemoryGoesDownAndStaysDown) {
     if (k == 2) after = world.stats().bytes;
   }
   EXPECT_EQ(world.stats().bytes, after) << "a thousand goings and comings leave nothing";
-  EXPECT_EQ(world.forget(kEverywhere), 197U);
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 197U);
   EXPECT_LT(world.stats().bytes, after - 197U * 60);
 }
 
@@ -97,7 +97,7 @@ TEST(UnloadedByHand, CommitsUnderAMarkDoNotAddUp) {
   world.commit();
   ASSERT_TRUE(world.clear(CellRect{{32, 0}, {63, 31}}));
   world.commit();
-  ASSERT_EQ(world.forget(CellRect{{32, 0}, {63, 31}}), 1U);
+  ASSERT_EQ(world.forgetChunks(CellRect{{32, 0}, {63, 31}}), 1U);
   const Mark mark = world.checkpoint();
   for (int k = 0; k < 100; ++k) world.commit();
   const std::uint64_t before = world.stats().bytes;
@@ -119,7 +119,7 @@ TEST(UnloadedByHand, WhatABorderHeldIsForgotten) {
       EXPECT_EQ(world.clear(chunkAt(0, 0)), 32U);
       world.commit();
     } else {
-      EXPECT_EQ(world.forget(kEverywhere), 1U);
+      EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
     }
   }
   EXPECT_LT(world.stats().contents, 1'200U) << "of 2,560 that there were";

@@ -48,9 +48,9 @@ lgs::Region randomRegion(Random& choices) {
 }
 
 void put(Hash& hash, const lgs::BrushResult& result) {
-  putAll(hash, result.went);
-  putAll(hash, result.came);
-  putAll(hash, result.bent);
+  putAll(hash, result.removed);
+  putAll(hash, result.added);
+  putAll(hash, result.rounded);
   for (const lgs::BrushChange& change : result.changed) {
     platform::put(hash, change.old);
     putAll(hash, change.now);

@@ -43,7 +43,7 @@ void putList(Hash& hash, const std::vector<Value>& values) {
 /// Of loops, or of islands.
 template <class Changes>
 void putChanges(Hash& hash, const Changes& changes) {
-  for (const auto* ids : {&changes.came, &changes.went, &changes.changed}) putList(hash, *ids);
+  for (const auto* ids : {&changes.added, &changes.removed, &changes.changed}) putList(hash, *ids);
   putList(hash, changes.joined);
   putList(hash, changes.before);
 }

@@ -163,7 +163,7 @@ std::string BeyondCheck::compare(const Islands& islands, const Moment& now, bool
       if (old && old != id) return fmt::format("island {} should have the id {}", id.value, old.value);
       if (!old && before_.known.contains(id)) return fmt::format("island {} should have a new id", id.value);
       if (!old && kin.olds.empty() && !kin.isBeyond) {
-        expected.came.push_back(id);
+        expected.added.push_back(id);
       } else if (!old) {
         expected.cutOff.push_back({front, id});
       } else {
@@ -181,7 +181,7 @@ std::string BeyondCheck::compare(const Islands& islands, const Moment& now, bool
       if (front)
         expected.joined.push_back({id, front});
       else
-        expected.went.push_back(id);
+        expected.removed.push_back(id);
     }
   }
   return oracle::wrongLists(std::move(expected), islands.changes());

@@ -135,7 +135,7 @@ TEST(IslandViewByHand, AnIslandLiesInAHoleOfAnIslandInAHole) {
   EXPECT_EQ(body.polygons.size(), 16U);
   d.commit();
   EXPECT_EQ(d.islands.all().size(), 2U) << "what lies in its hole stays";
-  EXPECT_EQ(d.changes().went.size(), 1U);
+  EXPECT_EQ(d.changes().removed.size(), 1U);
 }
 
 TEST(IslandViewByHand, ThatAnEditWouldCutSomethingOffIsKnownBeforeIt) {

@@ -41,7 +41,7 @@ TEST(LoopViewByHand, ACutMakesTwoOfOneAndAJoinOneOfTwo) {
   EXPECT_EQ(areaOf(loops, split.into), 1);
   EXPECT_EQ(loops.changes().changed, std::vector{whole});
   EXPECT_EQ(loops.changes().before, std::vector{before});
-  EXPECT_TRUE(loops.changes().came.empty());
+  EXPECT_TRUE(loops.changes().added.empty());
   place(world, {3, 0}, unitSquare());
   ASSERT_TRUE(loops.update(world, world.commit()));
   EXPECT_EQ(loops.changes().joined, (std::vector{LoopPair{split.into, whole}}));

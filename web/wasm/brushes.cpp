@@ -63,7 +63,7 @@ LGS_EXPORT("carve") std::int32_t carveRegion(Bridge* bridge, std::size_t numbers
 LGS_EXPORT("brushed") std::size_t brushed(const Bridge* bridge, std::int32_t list) {
   const BrushResult& result = bridge->brushed;
   answer().clear();
-  putHandles(list == 0 ? result.went : list == 1 ? result.came : result.bent);
+  putHandles(list == 0 ? result.removed : list == 1 ? result.added : result.rounded);
   return answer().size();
 }
 

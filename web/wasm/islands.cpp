@@ -121,9 +121,9 @@ LGS_EXPORT("islandChanges") std::size_t islandChanges(const Followed* followed, 
   const IslandChanges& told = followed->hasNews ? followed->islands.changes() : kNone;
   switch (list) {
     case 0:
-      return answered(told.came);
+      return answered(told.added);
     case 1:
-      return answered(told.went);
+      return answered(told.removed);
     case 2:
       return answered(told.changed);
     case 3:

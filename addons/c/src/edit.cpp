@@ -230,7 +230,7 @@ lgs_status lgs_clear(lgs_world* world, lgs_cell_rect cells, uint64_t* removed, l
 
 lgs_status lgs_forget_chunks(lgs_world* world, lgs_cell_rect cells, uint64_t* forgotten, lgs_error* error) noexcept {
   if (!world) return refuse(LGS_BAD_ARGUMENT, error);
-  return answer(world->world.forget(fromC(cells)), forgotten, error);
+  return answer(world->world.forgetChunks(fromC(cells)), forgotten, error);
 }
 
 lgs_status lgs_unload(lgs_world* world, lgs_cell_rect cells, lgs_chunk_fn take, void* user, uint64_t* unloaded,

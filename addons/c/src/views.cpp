@@ -51,10 +51,10 @@ lgs_status putIdsOf(const View& view, std::int32_t which, Out* out, std::size_t 
   switch (which) {
     case LGS_ALL:
       return putIds(view.all(), out, capacity, count);
-    case LGS_CAME:
-      return putIds(view.changes().came, out, capacity, count);
-    case LGS_WENT:
-      return putIds(view.changes().went, out, capacity, count);
+    case LGS_ADDED:
+      return putIds(view.changes().added, out, capacity, count);
+    case LGS_REMOVED:
+      return putIds(view.changes().removed, out, capacity, count);
     case LGS_CHANGED:
       return putIds(view.changes().changed, out, capacity, count);
     default:

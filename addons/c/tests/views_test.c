@@ -74,8 +74,8 @@ static void islands(void) {
   CHECK(lgs_islands_loop_pairs(view, LGS_JOINED, loopPairs, 4, &count) == LGS_OK && count == 0);
   CHECK(lgs_islands_loop_pairs(view, -1, loopPairs, 4, &count) == LGS_BAD_ARGUMENT);
   CHECK(lgs_islands_ids(view, LGS_CHANGED, ids, 8, &count) == LGS_OK && count == 1);
-  CHECK(lgs_islands_ids(view, LGS_CAME, ids + 1, 7, &count) == LGS_OK && count == 0);
-  CHECK(lgs_islands_ids(view, LGS_WENT, ids + 1, 7, &count) == LGS_OK && count == 0);
+  CHECK(lgs_islands_ids(view, LGS_ADDED, ids + 1, 7, &count) == LGS_OK && count == 0);
+  CHECK(lgs_islands_ids(view, LGS_REMOVED, ids + 1, 7, &count) == LGS_OK && count == 0);
   CHECK(lgs_islands_ids(view, LGS_ALL, ids, 1, &count) == LGS_SHORT_BUFFER && count == 2);
   CHECK(lgs_islands_ids(view, 5, ids, 8, &count) == LGS_BAD_ARGUMENT);
   CHECK(lgs_islands_ids(NULL, LGS_ALL, ids, 8, &count) == LGS_BAD_ARGUMENT);
@@ -84,8 +84,8 @@ static void islands(void) {
 
   CHECK(lgs_islands_loop_ids(view, LGS_ALL, loops, 8, &count) == LGS_OK && count == 2);
   CHECK(lgs_islands_loop_ids(view, LGS_CHANGED, loops, 8, &count) == LGS_OK && count == 1);
-  CHECK(lgs_islands_loop_ids(view, LGS_CAME, loops, 8, &count) == LGS_OK && count == 0);
-  CHECK(lgs_islands_loop_ids(view, LGS_WENT, loops, 8, &count) == LGS_OK && count == 0);
+  CHECK(lgs_islands_loop_ids(view, LGS_ADDED, loops, 8, &count) == LGS_OK && count == 0);
+  CHECK(lgs_islands_loop_ids(view, LGS_REMOVED, loops, 8, &count) == LGS_OK && count == 0);
   CHECK(lgs_islands_loop_ids(view, LGS_LOOSE, loops, 8, &count) == LGS_BAD_ARGUMENT);
   CHECK(lgs_islands_loop(view, facts.outer.id, &outline) == LGS_OK && outline.area == 2);
   CHECK(lgs_islands_loop_of(view, world, outline.first, &loop) == LGS_OK && loop.value == outline.id.value);

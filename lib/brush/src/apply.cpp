@@ -49,31 +49,31 @@ class Brush {
  private:
   /// Removes what does not stay.
   Expected<void> clear(const CellRect& cells) {
-    const std::size_t before = result_.went.size();
+    const std::size_t before = result_.removed.size();
     bool isAll = true;
     world_.forEachPolygon(cells, [&](Cell, const PlacedPolygon& p) {
       if (stroke_.stays(p.block))
         isAll = false;
       else
-        result_.went.push_back(p.handle);
+        result_.removed.push_back(p.handle);
     });
-    if (!isAll) return world_.removeMany(std::span(result_.went).subspan(before));
+    if (!isAll) return world_.removeMany(std::span(result_.removed).subspan(before));
     if (const auto done = world_.clear(cells); !done) return tl::unexpected(done.error());
     return {};
   }
 
   void tell(const CellEdit& edit, std::span<const PolygonHandle> removed, std::span<const PolygonHandle> added) {
-    for (const std::size_t k : edit.bent)
-      result_.bent.push_back(removed[static_cast<std::size_t>(std::ranges::find(edit.gone, k) - edit.gone.begin())]);
+    for (const std::size_t k : edit.rounded)
+      result_.rounded.push_back(removed[static_cast<std::size_t>(std::ranges::find(edit.gone, k) - edit.gone.begin())]);
     for (std::size_t n = 0; n < added.size(); ++n)
-      if (edit.placed[n].from.empty()) result_.came.push_back(added[n]);
+      if (edit.placed[n].from.empty()) result_.added.push_back(added[n]);
     for (std::size_t g = 0; g < removed.size(); ++g) {
       BrushChange change{removed[g], {}};
       for (std::size_t n = 0; n < added.size(); ++n)
         if (std::ranges::find(edit.placed[n].from, edit.gone[g]) != edit.placed[n].from.end())
           change.now.push_back(added[n]);
       if (change.now.empty()) {
-        result_.went.push_back(change.old);
+        result_.removed.push_back(change.old);
       } else {
         result_.changed.push_back(std::move(change));
       }
@@ -88,12 +88,12 @@ class Brush {
       if (placed_.size() == 1 && detail::doubleArea(placed_[0].vertices) == kDoubleArea) return recolour(placed_[0]);
       const auto stays = [&](const PlacedPolygon& p) { return stroke_.stays(p.block); };
       if (stroke_.deed == Deed::fill || std::ranges::any_of(placed_, stays)) return cut(cell, wholeCell());
-      for (const PlacedPolygon& p : placed_) result_.went.push_back(p.handle);
+      for (const PlacedPolygon& p : placed_) result_.removed.push_back(p.handle);
       if (const auto done = world_.clear(cell); !done) return tl::unexpected(done.error());
     }
     const auto handle = world_.add(cell, kUnitSquare, stroke_.block);
     if (!handle) return tl::unexpected(handle.error());
-    result_.came.push_back(*handle);
+    result_.added.push_back(*handle);
     return {};
   }
 

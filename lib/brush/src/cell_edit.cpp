@@ -77,7 +77,7 @@ CellEdit arrangedEdit(const List<CellPolygon>& polygons, PieceSpan region, const
   if (!atoms) return edit;
   edit = divided(*ground, *atoms, stroke);
   for (const std::size_t k : edit.gone)
-    if (!meeting[k]) edit.bent.push_back(k);
+    if (!meeting[k]) edit.rounded.push_back(k);
   return edit;
 }
 

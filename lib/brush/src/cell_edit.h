@@ -56,8 +56,8 @@ struct NewPart {
 struct CellEdit {
   List<std::size_t> gone;  ///< old polygons that are no more, by index; all others stay as they are
   List<NewPart> placed;
-  List<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
-  bool isTooMuch = false;  ///< more crossings or more corners than a cell can have: the rest is not worked out
+  List<std::size_t> rounded;  ///< of those that are gone: what law 9 should have kept
+  bool isTooMuch = false;     ///< more crossings or more corners than a cell can have: the rest is not worked out
 };
 
 /// Whether the region, with its outline, has a point in common with a polygon.

@@ -22,7 +22,7 @@ struct ShapeId {
 
 /// One placed polygon. Once the polygon is removed its handle is stale: to use it is an error, and it never names
 /// another polygon, unless the world goes back to a time before that polygon was (World::rollBack()), or is told to
-/// forget the place (World::forget()). Zero is null.
+/// forget the place (World::forgetChunks()). Zero is null.
 /// `cellRef` and `serial` mean something to the world only. packed() is for storage, say in the user data of a physics
 /// engine.
 struct PolygonHandle {

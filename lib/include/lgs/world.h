@@ -284,11 +284,6 @@ class World {
   /// then added.
   const Changes& changesOfRollBack() const noexcept;
 
-  /// The cells that were edited since a mark, each once, in the order of their first edit: where going back to it puts
-  /// things back. A cell is named even if it holds again what it held. Refused: unknownMark. Cost: in proportion to the
-  /// edits since the mark.
-  Expected<std::vector<Cell>> editedSince(Mark mark) const noexcept;
-
   /// Lets go of a mark. Other marks stay. Refused: unknownMark, also for a mark ahead, and for one that was ahead when
   /// something was edited. Cost: in all, O(log n) for each cell and segment that is kept to go back.
   Expected<void> forget(Mark mark) noexcept;
@@ -311,10 +306,7 @@ class World {
   /// a moment to which it does not go back: it lets go of its marks, forgets, and makes a new one. Cost: in proportion
   /// to the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the world, whichever are
   /// fewer.
-  template <std::same_as<CellRect> Rect = CellRect>
-  [[nodiscard]] Expected<std::uint64_t> forget(const Rect& cells) noexcept {
-    return forgetRect(cells);
-  }
+  [[nodiscard]] Expected<std::uint64_t> forgetChunks(const CellRect& cells) noexcept;
 
   // Chunks leave memory with unload(), and come back with reload() or reloadEmpty(). The next commit reports which
   // segments went, came and were relinked.
@@ -346,10 +338,10 @@ class World {
   [[nodiscard]] Expected<std::uint64_t> unload(const CellRect& cells, const ChunkSink& sink) noexcept;
 
   /// A chunk comes back as it was, to the last handle; but what the world went back or forward to since is changed.
-  /// Returns its lower-left cell. `chunk` is what unload() gave last for this chunk; where there is no chunk, as after forget(), it may be what any world gave that has the same
-  /// preserve relation, and the handles are new. Bytes that are cut, damaged or made up are refused, as by load().
-  /// Cost: in proportion to the cells of the chunk, and quadratic in the vertices of each content of a cell that is
-  /// new.
+  /// Returns its lower-left cell. `chunk` is what unload() gave last for this chunk; where there is no chunk, as after
+  /// forgetChunks(), it may be what any world gave that has the same preserve relation, and the handles are new. Bytes
+  /// that are cut, damaged or made up are refused, as by load(). Cost: in proportion to the cells of the chunk, and
+  /// quadratic in the vertices of each content of a cell that is new.
   [[nodiscard]] tl::expected<Cell, SnapshotError> reload(std::span<const std::byte> chunk) noexcept;
 
   /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their
@@ -491,7 +483,6 @@ class World {
   friend class Transaction;
   friend bool samePolygons(const World& a, const World& b) noexcept;
   Expected<std::uint64_t> clearRect(const CellRect& cells) noexcept;
-  Expected<std::uint64_t> forgetRect(const CellRect& cells) noexcept;
   std::unique_ptr<Impl> impl_;
 };
 

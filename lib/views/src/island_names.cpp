@@ -46,7 +46,7 @@ void IslandView::nameAll(const World& world, const Loops& loops, Kin::Node beyon
     if (isAnchor_) countAnchors(world, loops, olds, news, isBeyond);
     tellKin(loops, olds, news, isBeyond);
   }
-  for (auto* ids : {&changes_.came, &changes_.went, &changes_.changed}) detail::sort(*ids);
+  for (auto* ids : {&changes_.added, &changes_.removed, &changes_.changed}) detail::sort(*ids);
   for (auto* pairs : {&changes_.cutOff, &changes_.joined}) detail::sort(*pairs);
   detail::sort(changes_.before, [](const IslandFacts& a, const IslandFacts& b) { return a.id < b.id; });
 }
@@ -99,11 +99,11 @@ void IslandView::tellKin(const Loops& loops, std::span<const Old> olds, std::spa
     if (isBeyond || !news.empty())
       changes_.joined.push_back({old.facts.id, isBeyond ? kBeyond : news.front().id});
     else
-      changes_.went.push_back(old.facts.id);
+      changes_.removed.push_back(old.facts.id);
   }
   for (const New& now : news) {
     if (olds.empty() && !isBeyond) {
-      changes_.came.push_back(now.id);
+      changes_.added.push_back(now.id);
     } else if (!now.old) {
       changes_.cutOff.push_back({isBeyond ? kBeyond : news.front().id, now.id});
     } else if (now.old->facts.outer.id != now.outer.id || now.old->facts.anchors != now.anchors ||

@@ -35,8 +35,8 @@ std::vector<IslandId> IslandView::all() const {
 void IslandView::begin() {
   free_.insert(free_.end(), ended_.begin(), ended_.end());
   ended_.clear();
-  changes_.came.clear();
-  changes_.went.clear();
+  changes_.added.clear();
+  changes_.removed.clear();
   changes_.changed.clear();
   changes_.cutOff.clear();
   changes_.joined.clear();
@@ -120,7 +120,7 @@ void IslandView::readCell(const CellChange& change, Turn turn) {
 /// Outer loops that are new, or changed.
 std::vector<LoopId> IslandView::changedOuters(const Loops& loops) const {
   const LoopChanges& changed = loops.changes();
-  std::vector<LoopId> outers = changed.came;
+  std::vector<LoopId> outers = changed.added;
   for (const LoopPair& p : changed.split) outers.push_back(p.into);
   outers.insert(outers.end(), changed.changed.begin(), changed.changed.end());
   std::erase_if(outers, [&](LoopId id) { return loops.loop(id)->isHole(); });

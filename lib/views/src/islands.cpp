@@ -47,7 +47,7 @@ IslandId Islands::of(LoopId outer) const noexcept { return impl_->view.of(outer)
 std::vector<IslandId> Islands::all() const noexcept { return impl_->view.all(); }
 std::vector<IslandId> Islands::loose() const noexcept {
   const IslandChanges& told = changes();
-  std::vector<IslandId> ids = told.came;
+  std::vector<IslandId> ids = told.added;
   ids.insert(ids.end(), told.changed.begin(), told.changed.end());
   for (const IslandPair& cut : told.cutOff) ids.insert(ids.end(), {cut.from, cut.into});
   for (const IslandPair& joined : told.joined) ids.push_back(joined.into);

@@ -56,8 +56,8 @@ bool LoopView::update(const World& outline, const Changes& lists) {
 }
 
 void LoopView::begin() {
-  changes_.came.clear();
-  changes_.went.clear();
+  changes_.added.clear();
+  changes_.removed.clear();
   changes_.changed.clear();
   changes_.split.clear();
   changes_.joined.clear();

@@ -129,19 +129,19 @@ void LoopView::tell() {
     if (treaps_[root].loop != 0) roots_[treaps_[root].loop] = root;
   for (const LoopFacts& old : changes_.before) {
     const bool stays = roots_[old.id.value] != kNoNode;
-    (stays ? changes_.changed : changes_.went).push_back(old.id);
+    (stays ? changes_.changed : changes_.removed).push_back(old.id);
   }
   for (const std::uint32_t root : made_)
-    if (treaps_[root].loop == 0) changes_.came.push_back(newId(root));
-  detail::sort(changes_.came);
-  for (const LoopId id : changes_.went) free_.push_back(id.value);  // for the next update: all new ids are given
+    if (treaps_[root].loop == 0) changes_.added.push_back(newId(root));
+  detail::sort(changes_.added);
+  for (const LoopId id : changes_.removed) free_.push_back(id.value);  // for the next update: all new ids are given
   const auto isIn = [](const std::vector<LoopId>& ids, LoopId id) {
     return std::binary_search(ids.begin(), ids.end(), id);
   };
   named_.clear();
   for (const Share& share : shares_) {
     const LoopPair pair{{share.loop}, {treaps_[share.root].loop}};
-    const bool isNew = isIn(changes_.came, pair.into), isOver = isIn(changes_.went, pair.from);
+    const bool isNew = isIn(changes_.added, pair.into), isOver = isIn(changes_.removed, pair.from);
     if (isNew) changes_.split.push_back(pair);
     if (isOver) changes_.joined.push_back(pair);
     if (isNew) named_.push_back(pair.into);
@@ -151,7 +151,8 @@ void LoopView::tell() {
   detail::sort(changes_.joined);
   detail::sort(named_);
   // What is named in a pair did not come from nothing, nor go for nothing.
-  for (auto* ids : {&changes_.came, &changes_.went}) std::erase_if(*ids, [&](LoopId id) { return isIn(named_, id); });
+  for (auto* ids : {&changes_.added, &changes_.removed})
+    std::erase_if(*ids, [&](LoopId id) { return isIn(named_, id); });
 }
 
 LoopId LoopView::newId(std::uint32_t root) {

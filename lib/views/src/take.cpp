@@ -74,7 +74,7 @@ Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&
     const auto look = [&](IslandId id) {
       if (const auto facts = islands.island(id)) out.after.push_back(*facts);
     };
-    for (const auto* ids : {&out.changes.came, &out.changes.changed})
+    for (const auto* ids : {&out.changes.added, &out.changes.changed})
       for (const IslandId id : *ids) look(id);
     for (const IslandPair& p : out.changes.cutOff) look(p.into);
     for (const IslandPair& p : out.changes.cutOff) look(p.from);

@@ -49,7 +49,7 @@ std::string wrongForesight(const World& world, Cell cell) {
   edit(other);
   if (!does.update(other, other.commit())) return "a view refuses what was committed";
   const auto counts = [](const IslandChanges& c) {
-    return std::array{c.came.size(), c.went.size(), c.changed.size(), c.cutOff.size(), c.joined.size()};
+    return std::array{c.added.size(), c.removed.size(), c.changed.size(), c.cutOff.size(), c.joined.size()};
   };
   return counts(foreseen.changes) == counts(does.changes()) ? "" : "foresee() foresees something else";
 }

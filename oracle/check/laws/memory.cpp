@@ -27,7 +27,7 @@ std::string wrongSleep(World world) {
   if (!world.unload(kEverywhere, [](Cell, std::span<const std::byte>) {})) return "not all can leave memory";
   world.commit();
   const Stats asleep = world.stats();
-  if (!world.forget(kEverywhere)) return "what has left memory can not be forgotten";
+  if (!world.forgetChunks(kEverywhere)) return "what has left memory can not be forgotten";
   const Stats left = world.stats();
   if (left.chunks != 0) return fmt::format("{} chunks that left memory are not forgotten", left.chunks);
   if (asleep.bytes <= left.bytes + asleep.chunks * kMost) return "";
@@ -52,7 +52,7 @@ std::string wrongMemory(const Player& player) {
       if (std::string wrong = wrongSleep(world); !wrong.empty()) return wrong;
     if (!world.reloadEmpty(kEverywhere) || !world.clear(kEverywhere)) return "what stands can not be taken away";
     world.commit();
-    if (!world.forget(kEverywhere)) return "an empty world can not be left";
+    if (!world.forgetChunks(kEverywhere)) return "an empty world can not be left";
     const Stats left = world.stats();
     if (left.polygons + left.cells + left.segments + left.chunks != 0)
       return fmt::format("of an empty world that was left {} segments and {} chunks stay", left.segments, left.chunks);

@@ -38,9 +38,9 @@ export interface IslandPair {
  */
 export interface IslandChanges {
   /** New ids, of islands without kin before. */
-  readonly came: readonly IslandId[]
+  readonly added: readonly IslandId[]
   /** Ids that are no more, of islands without kin now. */
-  readonly went: readonly IslandId[]
+  readonly removed: readonly IslandId[]
   /** Ids that stay, of islands with another outer loop or other anchors. */
   readonly changed: readonly IslandId[]
   /** `into` is new. `from` is the largest of its kin: that may be the one that nothing holds. */

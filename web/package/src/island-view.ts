@@ -45,13 +45,13 @@ export class Islands extends Follower {
 
   /** Of the last update; all empty after the constructor. */
   get changes(): IslandChanges {
-    const [came, went, changed, cutOff, joined] = [0, 1, 2, 3, 4].map((list) => {
+    const [added, removed, changed, cutOff, joined] = [0, 1, 2, 3, 4].map((list) => {
       const { call, view } = this.at
       return this.numbers(call.islandChanges(view, list))
     }) as [number[], number[], number[], number[], number[]]
     const pairs = (ids: number[]) =>
       Array.from({ length: ids.length / 2 }, (_, k) => ({ from: ids[2 * k]!, into: ids[2 * k + 1]! }))
-    return { came, went, changed, cutOff: pairs(cutOff), joined: pairs(joined) }
+    return { added, removed, changed, cutOff: pairs(cutOff), joined: pairs(joined) }
   }
 
   /** The islands of now that the last update names and that nothing holds. They may fall. */
@@ -115,7 +115,7 @@ export class Islands extends Follower {
       edit(world)
       const at = this.at
       wereEdits = at.call.tryEdits(at.view, at.world) !== 0
-      const { changes } = this, ids = new Set([...changes.came, ...changes.changed])
+      const { changes } = this, ids = new Set([...changes.added, ...changes.changed])
       for (const { from, into } of changes.cutOff) ids.add(from).add(into)
       for (const { into } of changes.joined) ids.add(into)
       const after = [...ids].sort((a, b) => a - b).flatMap((id) => this.island(id) ?? [])

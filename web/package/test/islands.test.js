@@ -92,9 +92,9 @@ for (const preserve of [undefined, (a, b) => a !== b])
         for (const id of loose) assert.ok(!isHeld(byId.get(id)))
         for (const [id, part] of byId)
           if (!isHeld(part) && part.some((polygon) => held.has(polygon.id))) assert.ok(loose.includes(id), `${id} was held, and nobody says that it is loose`)
-        const { changed, came, went, cutOff, joined } = islands.changes
-        for (const id of [...came, ...changed, ...cutOff.map(({ into }) => into)]) assert.ok(byId.has(id))
-        for (const id of [...went, ...joined.map(({ from }) => from)]) assert.equal(islands.island(id) !== null, byId.has(id))
+        const { changed, added, removed, cutOff, joined } = islands.changes
+        for (const id of [...added, ...changed, ...cutOff.map(({ into }) => into)]) assert.ok(byId.has(id))
+        for (const id of [...removed, ...joined.map(({ from }) => from)]) assert.equal(islands.island(id) !== null, byId.has(id))
         held = new Set([...byId.values()].filter(isHeld).flat().map(({ id }) => id))
       }
       takeAndPut(islands, world, which)
@@ -124,7 +124,7 @@ function foresee(islands, world, edit) {
 function assertIsAsForeseen(islands, { changes, after }) {
   const now = islands.changes
   for (const list of Object.keys(now)) assert.equal(changes[list].length, now[list].length, list)
-  const ids = new Set([...now.came, ...now.changed, ...now.cutOff.flatMap(({ from, into }) => [from, into]), ...now.joined.map(({ into }) => into)])
+  const ids = new Set([...now.added, ...now.changed, ...now.cutOff.flatMap(({ from, into }) => [from, into]), ...now.joined.map(({ into }) => into)])
   const facts = (all) => all.map(({ area, x0, y0, x1, y1, segments, anchors }) => [area, x0, y0, x1, y1, segments, anchors].join()).sort()
   assert.deepEqual(facts(after), facts([...ids].map((id) => islands.island(id)).filter(Boolean)))
 }
@@ -233,7 +233,7 @@ test('what an edit would cut off is known before it, and nobody else hears of it
   assert.equal(pieces.solidPieces(1, 3).length, 1, 'pieces are still those of now')
   assert.throws(() => late.update(changes), code('left-out'), 'what it missed is gone')
   assert.throws(() => islands.foresee(() => { world.clear(1, 3); world.remove(-1) }), code('stale-handle'))
-  assert.deepEqual(islands.foresee(() => {}), { changes: { came: [], went: [], changed: [], cutOff: [], joined: [] }, after: [] })
+  assert.deepEqual(islands.foresee(() => {}), { changes: { added: [], removed: [], changed: [], cutOff: [], joined: [] }, after: [] })
   assert.equal(islands.island(islands.all()[0]).area, 31 + 4 + 3)
   world.clear(1, 3)
   assert.throws(() => islands.foresee(() => {}), code('uncommitted'))

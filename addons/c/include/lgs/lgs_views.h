@@ -77,7 +77,7 @@ typedef struct lgs_loop_pair {
 
 /* Lists of ids: all that there are, and what the last update did. LGS_LOOSE are the islands of now that it names and
  * that nothing holds; of loops there are none. */
-enum { LGS_ALL = 0, LGS_CAME = 1, LGS_WENT = 2, LGS_CHANGED = 3, LGS_LOOSE = 4 };
+enum { LGS_ALL = 0, LGS_ADDED = 1, LGS_REMOVED = 2, LGS_CHANGED = 3, LGS_LOOSE = 4 };
 /* Lists of pairs. LGS_PARTED: `into` is a new id, of what was cut off (islands) or split (loops). LGS_JOINED: `from` is
  * an id that is no more. */
 enum { LGS_PARTED = 0, LGS_JOINED = 1 };

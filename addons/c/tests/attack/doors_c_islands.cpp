@@ -129,7 +129,7 @@ void askAll(const lgs_islands* islands, const lgs_world* world) {
   std::array<lgs_island_id, 64> ids{};
   std::array<lgs_loop_id, 64> loops{};
   std::size_t count = 0;
-  for (const std::int32_t which : {LGS_ALL, LGS_CAME, LGS_WENT, LGS_CHANGED, LGS_LOOSE}) {
+  for (const std::int32_t which : {LGS_ALL, LGS_ADDED, LGS_REMOVED, LGS_CHANGED, LGS_LOOSE}) {
     static_cast<void>(lgs_islands_loop_ids(islands, which, loops.data(), loops.size(), &count));
     static_cast<void>(lgs_islands_ids(islands, which, ids.data(), ids.size(), &count));
     for (std::size_t k = 0; k < std::min(count, ids.size()); ++k)

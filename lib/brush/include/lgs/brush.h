@@ -11,7 +11,7 @@
 //   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
 //      lies within one lattice unit of an edge of that exact result.
 //   9. What is not reached stays. A polygon whose interior and outline the region does not meet keeps its handle and
-//      its vertices. Rounding breaks this now and then, by less than a unit; BrushResult::bent then names the polygon.
+//      its vertices. Rounding breaks this now and then, by less than a unit; BrushResult::rounded then names the polygon.
 //  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them. Ground of
 //      one block that was carved is whole again when the same region is painted.
 //  11. Total. Any finite region in range works, or is refused as a whole.
@@ -111,10 +111,11 @@ struct BrushChange {
 
 /// What a brush did to polygons. A polygon that is not named has kept its handle, vertices and block.
 struct BrushResult {
-  std::vector<PolygonHandle> went;   ///< nothing is left of them, or less than half a square unit
-  std::vector<PolygonHandle> came;   ///< there is nothing of an old polygon in them
+  std::vector<PolygonHandle> removed;  ///< nothing is left of them, or less than half a square unit
+  std::vector<PolygonHandle> added;    ///< there is nothing of an old polygon in them
   std::vector<BrushChange> changed;  ///< old polygons that are cut, bent by rounding, united with others, or recoloured
-  std::vector<PolygonHandle> bent;   ///< of the old ones above, that law 9 should have kept: docs/internals/brushes.md
+  std::vector<PolygonHandle>
+      rounded;  ///< of the old ones above, that law 9 should have kept: docs/internals/brushes.md
 };
 
 /// Paints a region with a block. What is painted and the polygons that the region meets are united, in each cell, where

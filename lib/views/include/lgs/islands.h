@@ -74,8 +74,8 @@ struct IslandPair {
 /// or is unloaded; and what was taken away and touched the square of such a chunk. (One that holds nothing may count or
 /// not.)
 struct IslandChanges {
-  std::vector<IslandId> came;     ///< new ids of islands without kin before
-  std::vector<IslandId> went;     ///< ids that are no more, of islands without kin now
+  std::vector<IslandId> added;    ///< new ids of islands without kin before
+  std::vector<IslandId> removed;  ///< ids that are no more, of islands without kin now
   std::vector<IslandId> changed;  ///< ids that stay, of islands with another outer loop or another count of anchors
   std::vector<IslandPair>
       cutOff;  ///< `into` is a new id. `from` is the largest of its kin, which keeps an id; or kBeyond

@@ -71,8 +71,8 @@ struct LoopPair {
 /// handed several ids takes that of the loop which had most segments, of equals the least id. Only outer loops inherit
 /// from outer loops, and only holes from holes.
 struct LoopChanges {
-  std::vector<LoopId> came;     ///< new ids of loops without any segment of before
-  std::vector<LoopId> went;     ///< ids that are no more, of loops of which no segment is left
+  std::vector<LoopId> added;    ///< new ids of loops without any segment of before
+  std::vector<LoopId> removed;  ///< ids that are no more, of loops of which no segment is left
   std::vector<LoopId> changed;  ///< ids that stay, of loops whose segments or links are others
   std::vector<LoopPair> split;  ///< `into` is a new id. It is named with each loop of which it has segments
   /// `from` is an id that is no more. It is named with each loop that has segments of it.

@@ -241,9 +241,9 @@ export function islandsOf(world: World, physics: Planck, terrain: PlanckTerrain)
   const anchors: Anchors = { blocks: [9], cells: [{ i0: 0, j0: 0, i1: 99, j1: 0 }] }
   using islands = new Islands(world, anchors)
   islands.update(world.commit())
-  const { cutOff, came }: IslandChanges = islands.changes
+  const { cutOff, added }: IslandChanges = islands.changes
   const pair: IslandPair | undefined = cutOff[0]
-  const [id]: IslandId[] = [...islands.loose(), ...islands.all(), ...came, pair?.into ?? 0]
+  const [id]: IslandId[] = [...islands.loose(), ...islands.all(), ...added, pair?.into ?? 0]
   if (id === undefined) return
   const facts: Island | null = islands.island(id)
   // @ts-expect-error: the id may name none
