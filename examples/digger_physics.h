@@ -12,7 +12,6 @@ inline double processorSeconds() { return static_cast<double>(std::clock()) / CL
 
 class Physics {
  public:
-
 #ifndef B2_IS_NULL  // Box2D 2.4
   b2World& world() { return world_; }
   void addBall(lgs::box2d::Place at) {
@@ -24,16 +23,11 @@ class Physics {
     balls_.push_back(world_.CreateBody(&definition));
     balls_.back()->CreateFixture(&circle, 1);
   }
-  std::vector<b2Vec2> balls() const {
-    std::vector<b2Vec2> places;
-    for (const b2Body* ball : balls_) places.push_back(ball->GetPosition());
-    return places;
-  }
+  static b2Vec2 placeOf(const b2Body* ball) { return ball->GetPosition(); }
 
  private:
   void doStep() { world_.Step(1.0F / 60, 8, 3); }
   b2World world_{{0, -10}};
-  std::vector<b2Body*> balls_;
 #else  // Box2D 3
   Physics() {
     b2WorldDef definition = b2DefaultWorldDef();
@@ -55,16 +49,11 @@ class Physics {
     balls_.push_back(b2CreateBody(world_, &definition));
     b2CreateCircleShape(balls_.back(), &shape, &circle);
   }
-  std::vector<lgs::box2d::Position> balls() const {
-    std::vector<lgs::box2d::Position> places;
-    for (const b2BodyId ball : balls_) places.push_back(b2Body_GetPosition(ball));
-    return places;
-  }
+  static lgs::box2d::Position placeOf(b2BodyId ball) { return b2Body_GetPosition(ball); }
 
  private:
   void doStep() { b2World_Step(world_, 1.0F / 60, 4); }
   b2WorldId world_ = b2_nullWorldId;
-  std::vector<b2BodyId> balls_;
 #endif
 
  public:
@@ -76,6 +65,9 @@ class Physics {
   }
   double seconds() const { return seconds_; }
 
+  const std::vector<lgs::box2d::BodyHandle>& balls() const { return balls_; }
+
  private:
+  std::vector<lgs::box2d::BodyHandle> balls_;
   double seconds_ = 0;
 };

@@ -18,7 +18,7 @@ source scripts/steps.sh
 
 build=build/box2d3
 # The package has all libraries that are installed.
-targets=(lgs_installed lgs_box2d_tests box2d_3_digging box2d_3_game lgs_terrain_costs)
+targets=(lgs_installed lgs_box2d_tests box2d_3_digging box2d_3_game digger lgs_terrain_costs)
 # What an earlier run found is forgotten, as it may have been for another PREFIX.
 step configure 'Configure' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
   -Ubox2d_DIR "-DCMAKE_PREFIX_PATH=$prefix"
@@ -29,7 +29,7 @@ if [[ $found != "$prefix"/* ]]; then
 fi
 step build 'Build' cmake --build "$build" -j "$(nproc)" --target "${targets[@]}"
 step test 'Tests, example, package' ctest --test-dir "$build" --output-on-failure --no-tests=error \
-  -R '^(Box2d|Falling|Rolling|example[.]box2d_3_|package[.](install|consumer_box2d|other_box2d))'
+  -R '^(Box2d|Falling|Rolling|example[.](box2d_3_|digger)|package[.](install|consumer_box2d|other_box2d))'
 if [[ $costs ]]; then
   show costs 'Costs' "$build/addons/box2d/ride/lgs_terrain_costs"
 fi

@@ -15,6 +15,7 @@ constexpr double kGrowth = 1.3;                     // from ring to ring
 constexpr double kFarthest = 16.0 * kUnitsPerCell;  // of a ring
 constexpr int kHalvings = 5;
 constexpr std::size_t kMostWork = 100'000;
+constexpr std::size_t kWorkOfQuestion = 16;  // to ask what is in a place, in pieces
 
 std::array<DoublePoint, kDirections> directions() {
   std::array<DoublePoint, kDirections> all;
@@ -29,6 +30,8 @@ double side(DoublePoint a, DoublePoint b, DoublePoint p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
+double leftOf(const Piece& piece) { return static_cast<double>(std::min(piece.line.start.x, piece.line.end.x)); }
+
 /// Whether two lines have a point in common, or nearly.
 bool meet(DoublePoint a, DoublePoint b, DoublePoint c, DoublePoint d) {
   return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
@@ -39,24 +42,44 @@ bool meet(DoublePoint a, DoublePoint b, DoublePoint c, DoublePoint d) {
 WayOut::WayOut(const NewGround& ground, std::span<const Form> forms, double tolerance)
     : ground_(ground), forms_(forms), tolerance_(tolerance), box_(boxOf(forms)) {}
 
+void WayOut::Row::sort() {
+  std::ranges::sort(pieces, {}, leftOf);
+  widest = 0;
+  for (const Piece& piece : pieces)
+    widest = std::max(widest, std::abs(static_cast<double>(piece.line.start.x - piece.line.end.x)));
+}
+
+/// Those that may have a point in a range of x, and maybe more.
+std::span<const Piece> WayOut::Row::between(double min, double max) const {
+  const auto first = std::ranges::lower_bound(pieces, min - widest, {}, leftOf);
+  const auto last = std::ranges::upper_bound(first, pieces.end(), max, {}, leftOf);
+  return {first, last};
+}
+
+bool WayOut::hasWork() const { return work_ < kMostWork; }
+
 void WayOut::look(double radius) {
   if (radius <= looked_) return;
   looked_ = radius == 0 ? 0 : 2 * radius;
-  ground_.linesIn({{box_.min.x - looked_, box_.min.y - looked_}, {box_.max.x + looked_, box_.max.y + looked_}}, now_,
-                  before_);
-  work_ += now_.size() + before_.size();
+  ground_.linesIn({{box_.min.x - looked_, box_.min.y - looked_}, {box_.max.x + looked_, box_.max.y + looked_}},
+                  now_.pieces, before_.pieces);
+  now_.sort();
+  before_.sort();
+  work_ += now_.pieces.size() + before_.pieces.size();
 }
 
 bool WayOut::isFree(DoublePoint by) {
   look(std::max(std::abs(by.x), std::abs(by.y)));
   for (const Form& form : forms_) {
+    work_ += kWorkOfQuestion;
     const std::optional<Block> block = ground_.solidAt(moved(form.middle, by));
     if (block && form.holds(*block)) return false;
   }
   for (const Form& form : forms_) {
     const Box box = boxOf({&form, 1});
-    work_ += now_.size();
-    for (const Piece& piece : now_) {
+    const std::span<const Piece> near = now_.between(box.min.x + by.x, box.max.x + by.x);
+    work_ += near.size();
+    for (const Piece& piece : near) {
       const DoublePoint a = moved(real(piece.line.start), {-by.x, -by.y});
       const DoublePoint b = moved(real(piece.line.end), {-by.x, -by.y});
       if (std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x || std::max(a.y, b.y) < box.min.y ||
@@ -72,8 +95,10 @@ bool WayOut::isFree(DoublePoint by) {
 bool WayOut::isOpen(DoublePoint by) {
   for (const Form& form : forms_) {
     const DoublePoint to = moved(form.middle, by);
-    work_ += before_.size();
-    for (const Piece& piece : before_)
+    const auto [min, max] = std::minmax(form.middle.x, to.x);
+    const std::span<const Piece> near = before_.between(min, max);
+    work_ += near.size();
+    for (const Piece& piece : near)
       if (meet(form.middle, to, real(piece.line.start), real(piece.line.end))) return false;
   }
   return true;
@@ -87,15 +112,17 @@ std::optional<DoublePoint> WayOut::find() {
   for (const Form& form : forms_) core = std::min(core, coreOf(form));
   std::vector<DoublePoint> open(all.begin(), all.end());
   double inner = 0;
-  for (double radius = std::max(core / 2, 64.0); radius < kFarthest && work_ < kMostWork; radius *= kGrowth) {
+  for (double radius = std::max(core / 2, 64.0); radius < kFarthest && hasWork(); radius *= kGrowth) {
     look(radius);
-    std::erase_if(open, [&](DoublePoint direction) { return !isOpen({radius * direction.x, radius * direction.y}); });
+    std::erase_if(open, [&](DoublePoint direction) {
+      return !hasWork() || !isOpen({radius * direction.x, radius * direction.y});
+    });
     if (open.empty()) break;
     double best = std::numeric_limits<double>::infinity();
     DoublePoint way;
     for (const DoublePoint& direction : open) {
       const auto at = [&](double r) { return DoublePoint{r * direction.x, r * direction.y}; };
-      if (!isFree(at(radius))) continue;
+      if (!hasWork() || !isFree(at(radius))) continue;
       double near = inner, far = radius;
       for (int k = 0; k < kHalvings && near < best; ++k) {
         const double r = (near + far) / 2;

@@ -28,6 +28,15 @@ class WayOut {
   bool isFree() { return isFree({0, 0}); }
 
  private:
+  /// Pieces from left to right, so that those near a form are found without a look at all of them.
+  struct Row {
+    std::vector<Piece> pieces;
+    double widest = 0;
+    void sort();
+    std::span<const Piece> between(double min, double max) const;
+  };
+
+  bool hasWork() const;
   void look(double radius);
   bool isFree(DoublePoint by);
   bool isOpen(DoublePoint by);
@@ -37,8 +46,8 @@ class WayOut {
   double tolerance_;
   Box box_;             // around the forms
   double looked_ = -1;  // how far around
-  std::vector<Piece> now_;
-  std::vector<Piece> before_;
+  Row now_;
+  Row before_;
   std::size_t work_ = 0;  // pieces that were looked at
 };
 

@@ -145,10 +145,11 @@ TEST_F(Box2dRemember, DigRollBackSyncRestoreAndDigAgain) {
   }
 }
 
-template <class BodyId>
-void expectHitsById(Terrain& terrain, BodyId ball) {
-  if constexpr (requires(b2ContactData data) { terrain.hit(data.contactId); }) {
-    std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(ball)));
+/// Contacts have ids since a state after 3.1.
+template <class Data>
+void expectHitsById(Terrain& terrain, b2BodyId ball) {
+  if constexpr (requires(Data data) { terrain.hit(data.contactId); }) {
+    std::vector<Data> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(ball)));
     const int count = b2Body_GetContactData(ball, contacts.data(), static_cast<int>(contacts.size()));
     ASSERT_GT(count, 0);
     const auto byData = terrain.hit(contacts[0]), byId = terrain.hit(contacts[0].contactId);
@@ -162,7 +163,7 @@ void expectHitsById(Terrain& terrain, BodyId ball) {
 TEST_F(Box2dRemember, AContactIsHitByItsId) {
   Terrain terrain(physics, field.world, {.chunkCells = 8});
   step(120);
-  expectHitsById(terrain, balls[3]);
+  expectHitsById<b2ContactData>(terrain, balls[3]);
 }
 
 }  // namespace

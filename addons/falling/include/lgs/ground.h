@@ -188,6 +188,7 @@ class Ground {
 
  private:
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::uint64_t kStepsOfRest = 30;  // half a second, as in Box2D
 
   /// A rock, and between which marks it is one: it was taken in the stretch after the mark `took`.
   struct Fallen {
@@ -196,8 +197,9 @@ class Ground {
     std::int64_t took = 0;
     std::int64_t settled = kNever;
     bool isInAir = true;
-    int tries = 0;            ///< how often it did not become ground by itself, or nothing held it then
-    std::uint64_t until = 0;  ///< the step before which it does not try again
+    int tries = 0;              ///< how often it did not become ground by itself, or nothing held it then
+    std::uint64_t until = 0;    ///< the step before which it does not try again
+    std::uint64_t movedAt = 0;  ///< the step at which it moved last, as far as that was seen
   };
 
   void begin() {
@@ -243,6 +245,7 @@ class Ground {
   static bool isNull(Handle handle) { return Host::isSame(handle, Handle{}); }
   void make(Fallen& f) {
     f.handle = host_.make(f.rock);
+    f.movedAt = steps_;
     f.isInAir = true;
   }
   void destroy(const Fallen& f) {
@@ -256,7 +259,9 @@ class Ground {
     ++steps_;
     for (std::size_t k = std::min<std::size_t>(fallen_.size(), 16); k > 0; --k) {
       Fallen& f = fallen_[next_++ % fallen_.size()];
-      if (!f.isInAir || isNull(f.handle) || steps_ < f.until || !host_.rests(f.handle)) continue;
+      if (!f.isInAir || isNull(f.handle) || steps_ < f.until) continue;
+      if (!host_.rests(f.handle)) f.movedAt = steps_;
+      if (steps_ - f.movedAt < kStepsOfRest) continue;
       f.until = steps_ + (std::uint64_t{60} << std::min(f.tries++, 6));
       static_cast<void>(settle(f));
       return;

@@ -9,6 +9,7 @@
 #include <lgs/ground.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -71,8 +72,12 @@ class GroundHost {
             {static_cast<double>(velocity.x) / size, static_cast<double>(velocity.y) / size},
             static_cast<double>(spin)};
   }
-  /// Whether it sleeps.
-  bool rests(BodyHandle body) { return isEnabled(body) && !isAwake(body); }
+  /// Whether it is slow enough to sleep: as much as touches it may be awake.
+  bool rests(BodyHandle body) {
+    if (!isEnabled(body)) return false;
+    const auto [velocity, spin] = movingOf(body);
+    return std::hypot(velocity.x, velocity.y) < kSlow && std::abs(spin) < kSlowSpin;
+  }
   /// As FallingGround::settle().
   Expected<void> settle(BodyHandle body) { return falling_.settle(body); }
   /// The body goes.
@@ -125,6 +130,8 @@ class GroundHost {
       away_.push_back(body);
     }
   }
+
+  static constexpr float kSlow = 0.05F, kSlowSpin = 0.05F;  // metres and radians a second
 
   Physics physics_;
   Terrain terrain_;
