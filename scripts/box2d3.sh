@@ -29,7 +29,7 @@ if [[ $found != "$prefix"/* ]]; then
 fi
 step build 'Build' cmake --build "$build" -j "$(nproc)" --target "${targets[@]}"
 step test 'Tests, example, package' ctest --test-dir "$build" --output-on-failure --no-tests=error \
-  -R '^(Box2d|Falling|Rolling|example[.](box2d_3_|digger)|package[.](install|consumer_box2d|other_box2d))'
+  -R '^(lgs_box2d_tests|example[.](box2d_3_|digger)|package[.](install|consumer_box2d|other_box2d))'
 if [[ $costs ]]; then
   show costs 'Costs' "$build/addons/box2d/ride/lgs_terrain_costs"
 fi
