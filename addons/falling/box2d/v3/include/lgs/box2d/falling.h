@@ -88,7 +88,14 @@ inline void setMotion(b2BodyId body, Place origin, double cosine, double sine, M
   b2Body_SetLinearVelocity(body, moving.velocity);
   b2Body_SetAngularVelocity(body, moving.spin);
 }
-inline Position middleOfMass(b2BodyId body) { return b2Body_GetWorldCenterOfMass(body); }
+/// The function has another name since a state after 3.1.
+template <class Body>
+Position middleOfMass(Body body) {
+  if constexpr (requires { b2Body_GetWorldCenterOfMass(body); })
+    return b2Body_GetWorldCenterOfMass(body);
+  else
+    return b2Body_GetWorldCenter(body);
+}
 inline bool isAwake(b2BodyId body) { return b2Body_IsAwake(body); }
 inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline void enable(b2BodyId body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
