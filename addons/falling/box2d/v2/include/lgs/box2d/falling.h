@@ -77,7 +77,6 @@ inline void setMotion(b2Body* body, Place origin, double cosine, double sine, Mo
   body->SetAngularVelocity(moving.spin);
 }
 inline b2Vec2 middleOfMass(const b2Body* body) { return body->GetWorldCenter(); }
-inline bool isAwake(const b2Body* body) { return body->IsAwake(); }
 inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
 inline void enable(b2Body* body, bool enabled) { body->SetEnabled(enabled); }
 

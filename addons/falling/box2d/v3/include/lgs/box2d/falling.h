@@ -96,7 +96,6 @@ Position middleOfMass(Body body) {
   else
     return b2Body_GetWorldCenter(body);
 }
-inline bool isAwake(b2BodyId body) { return b2Body_IsAwake(body); }
 inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline void enable(b2BodyId body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
 
