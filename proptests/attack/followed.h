@@ -35,6 +35,7 @@ struct FreeView {
   void operator()(lgs_pieces* view) const { lgs_pieces_free(view); }
   void operator()(lgs_hashes* view) const { lgs_hashes_free(view); }
   void operator()(lgs_body* body) const { lgs_body_free(body); }
+  void operator()(lgs_foreseen* foreseen) const { lgs_foreseen_free(foreseen); }
 };
 template <class T>
 using Owned = std::unique_ptr<T, FreeView>;

@@ -6,6 +6,8 @@
 #include <lgs/lgs_views.h>
 #include <lgs/pieces.h>
 
+#include <algorithm>
+
 using namespace lgs::c;
 
 struct lgs_islands {
@@ -21,6 +23,9 @@ struct lgs_body {
   lgs::Body body;
   std::vector<std::size_t> firsts;        ///< of each polygon: where its vertices begin
   std::vector<lgs_local_point> vertices;  ///< of all polygons, one after the other
+};
+struct lgs_foreseen {
+  lgs::Foreseen would;
 };
 struct lgs_pieces {
   lgs::Pieces view;
@@ -178,6 +183,19 @@ lgs_status lgs_take(lgs_world* world, const lgs_islands* islands, lgs_island_id 
   return LGS_OK;
 }
 
+lgs_status lgs_take_apart(lgs_world* world, const lgs_islands* islands, lgs_island_id island, lgs_body** bodies,
+                          size_t capacity, size_t* count, lgs_error* error) noexcept {
+  if (!world || !islands || !isArray(bodies, capacity)) return refuse(LGS_BAD_ARGUMENT, error);
+  lgs::Transaction group = world->world.edit();
+  auto taken = lgs::takeApart(world->world, islands->view, {island.value});
+  if (!taken) return refuse(taken.error(), error);
+  put(count, taken->size());
+  if (taken->size() > capacity) return refuse(LGS_SHORT_BUFFER, error);
+  group.keep();
+  for (std::size_t k = 0; k < taken->size(); ++k) bodies[k] = new lgs_body(std::move((*taken)[k]));
+  return LGS_OK;
+}
+
 lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_error* error) noexcept {
   if (!world || !body) return refuse(LGS_BAD_ARGUMENT, error);
   const auto done = lgs::put(world->world, body->body, fromC(cell));
@@ -201,9 +219,67 @@ lgs_status lgs_body_polygon_at(const lgs_body* body, size_t index, lgs_body_poly
 
 void lgs_body_free(lgs_body* body) noexcept { delete body; }
 
+lgs_status lgs_foresee(lgs_world* world, lgs_islands* islands, lgs_edit_fn edit, void* user,
+                       lgs_foreseen** foreseen) noexcept {
+  if (!world || !islands || !edit || !foreseen) return LGS_BAD_ARGUMENT;
+  const auto make = [&](lgs::World&) { return edit(user, world) != 0; };
+  *foreseen = new lgs_foreseen{lgs::foresee(world->world, islands->view, make)};
+  return LGS_OK;
+}
+
+void lgs_foreseen_free(lgs_foreseen* foreseen) noexcept { delete foreseen; }
+
+lgs_status lgs_foreseen_ids(const lgs_foreseen* foreseen, int32_t which, lgs_island_id* out, size_t capacity,
+                            size_t* count) noexcept {
+  if (!foreseen) return LGS_BAD_ARGUMENT;
+  const auto& [changes, after] = foreseen->would;
+  std::vector<lgs::IslandId> ids;
+  switch (which) {
+    case LGS_ALL:
+    case LGS_LOOSE:
+      for (const lgs::IslandFacts& f : after)
+        if (which == LGS_ALL || f.anchors == 0) ids.push_back(f.id);
+      break;
+    case LGS_ADDED:
+      ids = changes.added;
+      break;
+    case LGS_REMOVED:
+      ids = changes.removed;
+      break;
+    case LGS_CHANGED:
+      ids = changes.changed;
+      break;
+    default:
+      return LGS_BAD_ARGUMENT;
+  }
+  return putIds(ids, out, capacity, count);
+}
+
+lgs_status lgs_foreseen_pairs(const lgs_foreseen* foreseen, int32_t which, lgs_island_pair* out, size_t capacity,
+                              size_t* count) noexcept {
+  if (!foreseen || (which != LGS_PARTED && which != LGS_JOINED)) return LGS_BAD_ARGUMENT;
+  const lgs::IslandChanges& changes = foreseen->would.changes;
+  return putPairs(which == LGS_PARTED ? changes.cutOff : changes.joined, out, capacity, count);
+}
+
+lgs_status lgs_foreseen_get(const lgs_foreseen* foreseen, lgs_island_id id, lgs_island* island) noexcept {
+  if (!foreseen) return LGS_BAD_ARGUMENT;
+  const auto& after = foreseen->would.after;
+  const auto found = std::ranges::find(after, lgs::IslandId{id.value}, &lgs::IslandFacts::id);
+  if (found == after.end()) return LGS_STALE_HANDLE;
+  put(island, described(*found));
+  return LGS_OK;
+}
+
 lgs_status lgs_pieces_new(const lgs_world* world, size_t max_vertices, lgs_pieces** pieces) noexcept {
   if (!world || !pieces || max_vertices < 3 || max_vertices > lgs::kMaxVerticesPerCell) return LGS_BAD_ARGUMENT;
   *pieces = new lgs_pieces{lgs::Pieces(world->world, {max_vertices}), {}};
+  return LGS_OK;
+}
+
+lgs_status lgs_pieces_copy(const lgs_pieces* pieces, lgs_pieces** copy) noexcept {
+  if (!pieces || !copy) return LGS_BAD_ARGUMENT;
+  *copy = new lgs_pieces(*pieces);
   return LGS_OK;
 }
 

@@ -154,6 +154,64 @@ static void bodies(void) {
   lgs_free(world);
 }
 
+static int32_t cutOne(void* user, lgs_world* world) {
+  *(int*)user += 1;
+  return lgs_clear(world, (lgs_cell_rect){{1, 0}, {1, 9}}, NULL, NULL) == LGS_OK;
+}
+static int32_t refused(void* user, lgs_world* world) {
+  (void)user;
+  (void)world;
+  return 0;
+}
+
+static void foreseen(void) {
+  lgs_world* world = ground();
+  lgs_islands* view = NULL;
+  lgs_foreseen* would = NULL;
+  lgs_island_id ids[8], all[8];
+  lgs_island_pair pairs[8];
+  lgs_island island;
+  lgs_body* parts[2] = {NULL, NULL};
+  lgs_error error;
+  size_t count = 0, k, before = 0;
+  int calls = 0;
+  CHECK(lgs_islands_new(world, NULL, NULL, &view) == LGS_OK);
+  CHECK(lgs_islands_ids(view, LGS_ALL, all, 8, &before) == LGS_OK && before > 0);
+  CHECK(lgs_foresee(NULL, view, cutOne, &calls, &would) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_foresee(world, view, NULL, &calls, &would) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_foresee(world, view, cutOne, &calls, NULL) == LGS_BAD_ARGUMENT && calls == 0);
+  CHECK(lgs_foresee(world, view, cutOne, &calls, &would) == LGS_OK && calls == 1);
+  CHECK(lgs_foreseen_ids(would, LGS_ALL, ids, 8, &count) == LGS_OK && count > 0);
+  for (k = 0; k < count; ++k) CHECK(lgs_foreseen_get(would, ids[k], &island) == LGS_OK && island.anchors == 0);
+  CHECK(lgs_foreseen_ids(would, LGS_LOOSE, NULL, 0, &k) == LGS_SHORT_BUFFER && k == count);
+  CHECK(lgs_foreseen_ids(would, LGS_CHANGED, ids, 8, &count) == LGS_OK);
+  CHECK(lgs_foreseen_ids(would, LGS_ADDED, ids, 8, &count) == LGS_OK);
+  CHECK(lgs_foreseen_ids(would, LGS_REMOVED, ids, 8, &count) == LGS_OK);
+  CHECK(lgs_foreseen_ids(would, 5, ids, 8, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_foreseen_ids(NULL, LGS_ALL, ids, 8, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_foreseen_pairs(would, LGS_PARTED, pairs, 8, &count) == LGS_OK);
+  CHECK(lgs_foreseen_pairs(would, LGS_JOINED, pairs, 8, &count) == LGS_OK && count == 0);
+  CHECK(lgs_foreseen_pairs(would, 2, pairs, 8, &count) == LGS_BAD_ARGUMENT);
+  ids[0].value = 999;
+  CHECK(lgs_foreseen_get(would, ids[0], &island) == LGS_STALE_HANDLE);
+  CHECK(lgs_foreseen_get(NULL, ids[0], &island) == LGS_BAD_ARGUMENT);
+  lgs_foreseen_free(would);
+  lgs_foreseen_free(NULL);
+  CHECK(lgs_foresee(world, view, refused, NULL, &would) == LGS_OK);
+  CHECK(lgs_foreseen_ids(would, LGS_ALL, ids, 8, &count) == LGS_OK && count == 0);
+  lgs_foreseen_free(would);
+  CHECK(lgs_islands_ids(view, LGS_ALL, all, 8, &count) == LGS_OK && count == before);
+
+  REFUSED(LGS_SHORT_BUFFER, lgs_take_apart(world, view, all[0], parts, 0, &count, &error));
+  CHECK(count == 1);
+  REFUSED(LGS_BAD_ARGUMENT, lgs_take_apart(world, view, all[0], NULL, 1, &count, &error));
+  CHECK(lgs_take_apart(world, view, all[0], parts, 2, &count, NULL) == LGS_OK && count == 1 && parts[0] && !parts[1]);
+  REFUSED(LGS_STALE_HANDLE, lgs_take_apart(world, view, all[0], parts + 1, 1, &count, &error));
+  lgs_body_free(parts[0]);
+  lgs_islands_free(view);
+  lgs_free(world);
+}
+
 static void pieces(void) {
   lgs_world* world = newWorld();
   lgs_pieces* view = NULL;
@@ -189,6 +247,14 @@ static void pieces(void) {
   CHECK(lgs_pieces_update(view, NULL, &cells, &count) == LGS_BAD_ARGUMENT);
   CHECK(lgs_pieces_update(view, world, &cells, &count) == LGS_OK && count == 1 && cells[0].i == 0 && cells[0].j == 0);
   CHECK(lgs_pieces_count(view, cellAt(0, 0), LGS_SOLID, &count) == LGS_OK && count == 0);
+  {
+    lgs_pieces* copy = NULL;
+    CHECK(lgs_pieces_copy(view, NULL) == LGS_BAD_ARGUMENT && lgs_pieces_copy(NULL, &copy) == LGS_BAD_ARGUMENT);
+    CHECK(lgs_pieces_copy(view, &copy) == LGS_OK);
+    lgs_pieces_free(view);
+    CHECK(lgs_pieces_count(copy, cellAt(0, 0), LGS_FREE, &count) == LGS_OK);
+    view = copy;
+  }
   lgs_pieces_free(view);
   lgs_pieces_free(NULL);
   lgs_free(world);
@@ -240,6 +306,7 @@ static void hashes(void) {
 int main(void) {
   islands();
   bodies();
+  foreseen();
   pieces();
   hashes();
   return 0;

@@ -15,10 +15,9 @@
  *   lgs_take(world, islands, loose[0], &body, NULL);             it is a body now
  *   lgs_islands_free(islands);
  *
- * A view is yours: lgs_islands_new(), lgs_islands_copy() with lgs_islands_free(); lgs_take() with lgs_body_free();
- * lgs_pieces_new() with lgs_pieces_free(); lgs_hashes_new(), lgs_hashes_copy() with lgs_hashes_free(). It does not keep
- * its world, which is handed in again. It must be the same one, or a copy that has gone the same way: this is not
- * checked. */
+ * A view is yours: what ends in _new(), _copy(), and lgs_take(), lgs_take_apart(), lgs_foresee() give is given back by
+ * the _free() of its type. It does not keep its world, which is handed in again. It must be the same one, or a copy that
+ * has gone the same way: this is not checked. */
 #ifndef LGS_LGS_VIEWS_H
 #define LGS_LGS_VIEWS_H
 
@@ -155,6 +154,11 @@ typedef struct lgs_body_polygon {
  * are gone. Cost: in proportion to the island. */
 LGS_API lgs_status lgs_take(lgs_world* world, const lgs_islands* islands, lgs_island_id island, lgs_body** body,
                             lgs_error* error) LGS_NOTHROW;
+/* The same with solids apart that touch in points only: a body for each part whose polygons share more than points. All
+ * of them leave the ground. `count` receives how many there are. Refused also: LGS_SHORT_BUFFER, if that is more than
+ * `capacity`; then nothing changes. */
+LGS_API lgs_status lgs_take_apart(lgs_world* world, const lgs_islands* islands, lgs_island_id island, lgs_body** bodies,
+                                  size_t capacity, size_t* count, lgs_error* error) LGS_NOTHROW;
 /* Sets a body into the ground, so that its origin is this cell: one edit, or nothing. Refused: as by lgs_add_points(),
  * for the first polygon that does not fit; `index` says which. The body stays as it is. */
 LGS_API lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_error* error) LGS_NOTHROW;
@@ -162,6 +166,30 @@ LGS_API lgs_status lgs_body_get(const lgs_body* body, lgs_body_facts* facts) LGS
 /* Refused: LGS_BAD_ARGUMENT, if there is no polygon of this index. */
 LGS_API lgs_status lgs_body_polygon_at(const lgs_body* body, size_t index, lgs_body_polygon* polygon) LGS_NOTHROW;
 LGS_API void lgs_body_free(lgs_body* body) LGS_NOTHROW;
+
+/* --- What an edit would do --------------------------------------------------------------------------------------- */
+
+/* What an edit would do to the islands. Its ids name nothing in the view. */
+typedef struct lgs_foreseen lgs_foreseen;
+
+/* An edit that is tried: 0, if it was refused. It may change the world, but neither commit, go back nor make marks. */
+typedef int32_t (*lgs_edit_fn)(void* user, lgs_world* world);
+
+/* Makes an edit, looks, and takes it back: world and view are as before, but for which ids come next, and the redo is
+ * over, as after any edit. An edit that is refused would do nothing. No edit may be pending: else what is foreseen may be
+ * wrong, and nothing worse. Cost: that of the edit, of two updates and of going back. */
+LGS_API lgs_status lgs_foresee(lgs_world* world, lgs_islands* islands, lgs_edit_fn edit, void* user,
+                               lgs_foreseen** foreseen) LGS_NOTHROW;
+LGS_API void lgs_foreseen_free(lgs_foreseen* foreseen) LGS_NOTHROW;
+/* As a list, by id: the islands that there would be and that are named by another list (LGS_ALL), of these what nothing
+ * would hold (LGS_LOOSE), and what would be added, removed and changed. */
+LGS_API lgs_status lgs_foreseen_ids(const lgs_foreseen* foreseen, int32_t which, lgs_island_id* out, size_t capacity,
+                                    size_t* count) LGS_NOTHROW;
+/* As a list: LGS_PARTED or LGS_JOINED. */
+LGS_API lgs_status lgs_foreseen_pairs(const lgs_foreseen* foreseen, int32_t which, lgs_island_pair* out,
+                                      size_t capacity, size_t* count) LGS_NOTHROW;
+/* What an island of LGS_ALL would be. Refused: LGS_STALE_HANDLE, if the id is not there. */
+LGS_API lgs_status lgs_foreseen_get(const lgs_foreseen* foreseen, lgs_island_id id, lgs_island* island) LGS_NOTHROW;
 
 /* --- Convex pieces ----------------------------------------------------------------------------------------------- */
 
@@ -182,6 +210,7 @@ typedef struct lgs_portal {
 
 /* Reads all polygons. Refused: LGS_BAD_ARGUMENT, if `max_vertices` is less than 3 or more than a cell may have. */
 LGS_API lgs_status lgs_pieces_new(const lgs_world* world, size_t max_vertices, lgs_pieces** pieces) LGS_NOTHROW;
+LGS_API lgs_status lgs_pieces_copy(const lgs_pieces* pieces, lgs_pieces** copy) LGS_NOTHROW;
 LGS_API void lgs_pieces_free(lgs_pieces* pieces) LGS_NOTHROW;
 
 /* Takes over what the last commit or roll-back changed, of a world that follows its cells. Tells which cells have other

@@ -143,6 +143,19 @@ void askAll(const lgs_islands* islands, const lgs_world* world) {
   for (const lgs_polygon_id polygon : polygons) static_cast<void>(lgs_islands_of(islands, world, polygon, ids.data()));
 }
 
+/// What it would do to clear a column.
+Owned<lgs_foreseen> foreseenBy(Scene& s) {
+  const FollowedC& f = followedInCBy(s);
+  const CWorld world = copyOf(f.world.get());
+  const Owned<lgs_islands> view = copyOf(f.islands.get());
+  const lgs_edit_fn clear = [](void*, lgs_world* changed) -> std::int32_t {
+    return lgs_clear(changed, EditOfC::kRock, nullptr, nullptr) == LGS_OK;
+  };
+  lgs_foreseen* would = nullptr;
+  EXPECT_EQ(lgs_foresee(world.get(), view.get(), clear, nullptr, &would), LGS_OK);
+  return Owned<lgs_foreseen>(would);
+}
+
 }  // namespace
 
 void addDoorsOfIslandsInC(Doors& door) {
@@ -196,6 +209,48 @@ void addDoorsOfIslandsInC(Doors& door) {
     if (edit.isHonest()) edit(f.world.get(), f.square);
     f.commit();
     return status == LGS_OK;
+  });
+  door("lgs_foresee", [](Scene& s, WorldOfC w, Given i, EditOfC edit, Given callback, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    const CWorld world = copyOf(f.world.get());
+    const Owned<lgs_islands> view = copyOf(f.islands.get());
+    struct Tried {
+      EditOfC edit;
+      lgs_shape_id square;
+    } tried{edit, f.square};
+    const lgs_edit_fn make = [](void* user, lgs_world* changed) -> std::int32_t {
+      const auto& [kind, square] = *static_cast<const Tried*>(user);
+      kind(changed, square);
+      return kind.which == EditOfC::nothing ? 0 : INT32_MIN;
+    };
+    lgs_world* const asked = w.which == WorldOfC::own ? world.get() : w(f);
+    lgs_foreseen* would = nullptr;
+    const lgs_status status =
+        lgs_foresee(asked, i ? view.get() : nullptr, callback ? make : nullptr, &tried, out(would));
+    const Owned<lgs_foreseen> owner(would);
+    EXPECT_EQ(status == LGS_OK, would != nullptr);
+    if (asked) askAll(view.get(), asked);
+    if (would && w.which == WorldOfC::own) {
+      std::int32_t isSame = 0;
+      EXPECT_TRUE(lgs_same_polygons(world.get(), f.world.get(), &isSame) == LGS_OK && isSame);
+    }
+    return checked(status, asked && i && callback && out);
+  });
+  door("lgs_foreseen_free", [](Scene&) { lgs_foreseen_free(nullptr); });
+  door("lgs_foreseen_ids", [](Scene& s, Given given, ListOfC which, Space<lgs_island_id> ids, Out<std::size_t> out) {
+    const Owned<lgs_foreseen> would = foreseenBy(s);
+    return checked(lgs_foreseen_ids(given ? would.get() : nullptr, which.number, ids.data(), ids.size(), out),
+                   given && which.number >= 0 && which.number <= LGS_LOOSE && ids.isThere());
+  });
+  door("lgs_foreseen_pairs", [](Scene& s, Given given, ListOfC which, Space<lgs_island_pair> pairs,
+                                Out<std::size_t> out) {
+    const Owned<lgs_foreseen> would = foreseenBy(s);
+    return checked(lgs_foreseen_pairs(given ? would.get() : nullptr, which.number, pairs.data(), pairs.size(), out),
+                   given && which.number >= 0 && which.number <= LGS_JOINED && pairs.isThere());
+  });
+  door("lgs_foreseen_get", [](Scene& s, Given given, std::uint32_t id, Out<lgs_island> out) {
+    const Owned<lgs_foreseen> would = foreseenBy(s);
+    return checked(lgs_foreseen_get(given ? would.get() : nullptr, {id}, out), given);
   });
   door("lgs_islands_ids", [](Scene& s, Given i, ListOfC which, Space<lgs_island_id> ids, Out<std::size_t> out) {
     return checked(lgs_islands_ids(islandsOf(followedInCBy(s), i), which.number, ids.data(), ids.size(), out),

@@ -1,6 +1,9 @@
 // Doors of bodies, pieces and hashes of the C interface. What is out of step is tried with copies.
 #include "c_views.h"
 
+#include <algorithm>
+#include <array>
+
 namespace lgs::test {
 namespace {
 
@@ -26,6 +29,19 @@ void addBodies(Doors& door) {
     if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
     f.commit();
     return checked(status, w.which != WorldOfC::none && i && out);
+  });
+  door("lgs_take_apart", [](Scene& s, WorldOfC w, Given i, std::uint32_t id, Given bodies, Given room,
+                            Out<std::size_t> count, Out<lgs_error> e) {
+    FollowedC& f = followedInCBy(s);
+    std::array<lgs_body*, 4> taken{};
+    const lgs_status status = lgs_take_apart(w(f), islandsOf(f, i), islandOf(f, id), bodies ? taken.data() : nullptr,
+                                             room ? taken.size() : 0, count, e);
+    EXPECT_TRUE(status == LGS_OK || std::ranges::count(taken, nullptr) == 4);
+    for (lgs_body* const body : taken)
+      if (body) f.body.reset(body);
+    if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
+    f.commit();
+    return checked(status, w.which != WorldOfC::none && i && (bodies || !room));
   });
   door("lgs_put", [](Scene& s, WorldOfC w, Given body, Cell c, Out<lgs_error> e) {
     FollowedC& f = followedInCBy(s);
@@ -56,6 +72,13 @@ void addPieces(Doors& door) {
     const Owned<lgs_pieces> owner(made);
     EXPECT_EQ(status == LGS_OK, made != nullptr);
     return checked(status, w(f) && out && most >= 3 && most <= kMaxVerticesPerCell);
+  });
+  door("lgs_pieces_copy", [](Scene& s, Given p, Given out) {
+    lgs_pieces* copy = nullptr;
+    const lgs_status status = lgs_pieces_copy(piecesOf(followedInCBy(s), p), out(copy));
+    const Owned<lgs_pieces> owner(copy);
+    EXPECT_EQ(status == LGS_OK, copy != nullptr);
+    return checked(status, p && out);
   });
   door("lgs_pieces_free", [](Scene&) { lgs_pieces_free(nullptr); });
   door("lgs_pieces_update", [](Scene& s, Given p, WorldOfC w, Given list, Given out) {

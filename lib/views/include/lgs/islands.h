@@ -168,7 +168,8 @@ struct Foreseen {
 };
 
 /// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but
-/// for the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
+/// for the ids of loops and islands (see LoopId), and the redo is over, as after any edit; ids in the result name
+/// nothing. An edit that is refused, so that it
 /// returns false, would do nothing; nor would an empty function. No edit may be pending. Cost: that of the edit, of two
 /// updates and of going back.
 [[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
