@@ -5,7 +5,7 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build                           # the tool chain
+  g++ cmake ninja-build python3                   # the tool chain, and the example of an engine
   libexpected-dev                                 # the engine
   libcgal-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev  # the references and the lgs command
 )
@@ -13,7 +13,6 @@ if [[ ${1:-} == --check ]]; then
   shift
 else
   packages+=(
-    python3                                       # tests, and what writes files
     libpugixml-dev libpcre2-dev libfast-float-dev zlib1g-dev libzstd-dev  # the importer of maps
     libbox2d-dev                                  # the terrain for Box2D
     libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings

@@ -7,6 +7,7 @@
 # must still fail. LGS_CI_SEED picks other worlds, LGS_CI_EDITS how many edits are made. Exit status: 0 as expected; 1 a
 # new failure, or a known one that is mended; 2 bad usage.
 set -uo pipefail
+shopt -s nullglob
 if (($# < 4)); then
   sed -n '2,/^set/{/^#/p}' "$0" >&2
   exit 2

@@ -21,7 +21,7 @@ void Ground::exchange(Note& note) {
   assert(note.thing == Thing::commit);  // which holds nothing
 }
 
-/// Of an unloaded chunk too, whose bytes are no longer right then.
+/// Of an unloaded chunk too: of these cells its border has the last word, and not its bytes.
 void Ground::exchangeCell(Note& note) {
   const std::uint32_t number = note.key / kChunkCells, local = note.key % kChunkCells;
   const auto swap = [&](CellWord word, Block& block) {

@@ -160,7 +160,7 @@ class Ground : public Cells {
   // The work of the next commit, as numbers of chunks, which may be there twice or name none any more.
   std::vector<std::uint32_t> turned_;  ///< those that came, went, or whose outline is of another time
   std::vector<std::uint32_t> rims_;    ///< unloaded ones: whether a loaded one is beside may have changed
-  std::vector<std::uint32_t> spare_;   ///< unloaded ones: of what is kept there may be less notes
+  std::vector<std::uint32_t> spare_;   ///< unloaded ones: of what is kept there may be fewer notes
   std::vector<std::uint32_t> sleepy_;  ///< during a commit: unloaded ones without a loaded one beside
 };
 

@@ -123,7 +123,7 @@ class History {
   Versions numbers_;
   std::vector<Marked> marks_;  ///< in the order in which they were made
   std::vector<Marked> ahead_;  ///< that the world went back beyond, the next one last
-  // Where it went then, if any are ahead.
+  // The mark that the last kept roll-back, or redo, led to, if any are ahead.
   Moment went_ = 0;
   Mark wentTo_;
   std::uint64_t wentShapes_ = 0;

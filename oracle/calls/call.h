@@ -69,7 +69,7 @@ struct Call {
     mark,         ///< checkpoint()
     goBack,       ///< rollBack() to one of the marks
     forget,       ///< forget() one of the marks
-    leave,        ///< forget() the chunks in a rectangle
+    leave,        ///< forgetChunks() in a rectangle
     copy,         ///< the world is replaced by its copy
     load,         ///< commit(), then the world is replaced by the one that it is saved as
     goForward,    ///< rollForward() to one of the marks that are ahead

@@ -1,5 +1,5 @@
 // A law as a body: what it looks at around a call, after a commit, now and then, and at the end of a trace. A law is a
-// file in laws/ and a line in laws/list.cpp. With that it is held wherever traces are checked: by `lgs check` and
+// file in laws/ and a line in laws/list.h. With that it is held wherever traces are checked: by `lgs check` and
 // `lgs replay --check`, the laws of RapidCheck, the fuzz targets, the regressions and the bulk runs.
 #pragma once
 

@@ -1,14 +1,16 @@
 // The ground of a game, held as one: it is dug, painted and built, what is cut off falls and becomes ground again where it
 // rests, all of that is undone and redone, a window of it is in memory, and all of it is saved, loaded and drawn.
 //
-//   lgs::box2d::Ground ground({.isAnchor = isBedrock, .land = hills}, physics, {.cellSize = 0.5});   // <lgs/box2d/ground.h>
+//   lgs::box2d::Ground ground({.isAnchor = isBedrock, .land = hills}, physics,   // <lgs/box2d/ground.h>
+//                             lgs::box2d::TerrainOptions{.cellSize = 0.5});
 //   …
-//   ground.window(cellsAround(player));                                    // each frame: costs nothing if it is the same
-//   if (clicked) ground.dig(lgs::circle(mouse, 2 * lgs::kUnitsPerCell));   // a step of undo
+//   ground.window(cellsAround(player));                                          // each frame: free if it is the same
+//   const lgs::Point at = ground.host().terrain().latticePoint(mouse);           // the mouse in metres
+//   if (clicked) ground.dig(lgs::circle(at, 2 * lgs::kUnitsPerCell));            // a step of undo
 //   if (pressed('Z')) ground.undo();
 //   if (pressed('Y')) ground.redo();
 //   ground.step([&] { physics.Step(1.0F / 60, 8, 3); });
-//   for (const lgs::GroundDrawing& d : ground.draw()) renderer.set(d.cells, d.fills, d.lines);       // what changed
+//   for (const lgs::GroundDrawing& d : ground.draw()) renderer.set(d.cells, d.fills, d.lines);  // what changed
 //
 // lgs::Ground<> is the same without physics: its rocks are values that the game moves (ground_parts.h). It owns the order
 // of calls, the marks, and the bodies that came out of the ground, and nothing else: world(), islands() and host() are

@@ -1,7 +1,8 @@
 // The ground of a game with Box2D 2.4 or 3: <lgs/ground.h> is the manual. Link LocalGridSeg::falling and
 // LocalGridSeg::box2d.
 //
-//   lgs::box2d::Ground ground({.isAnchor = isBedrock}, physics, {.cellSize = 0.5F}, {.density = density});
+//   lgs::box2d::Ground ground({.isAnchor = isBedrock}, physics, lgs::box2d::TerrainOptions{.cellSize = 0.5},
+//                             lgs::box2d::FallingOptions{.density = density});
 //   ground.host().terrain()   // to ask what was hit, and the like; it is synced already
 #pragma once
 
