@@ -154,9 +154,9 @@ class TerrainBase {
   /// The first piece of the outline that a ray meets from outside, as of the last commit; nothing if it meets none, is
   /// longer than kMaxRay cells on an axis, or has an end beyond the last cell. It is exact but for its ends, which are
   /// rounded to the lattice. The ends of a segment count: a ray that grazes a corner hits it, and there may be nothing
-  /// behind. `hit.cell` is that of the polygon; cellAt() of the point may be the one on the other side. A ray of Box2D leaks where segments were too short for an edge; this one does not. It
-  /// looks at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the
-  /// nearer hit. Cost: as of World::rayCast().
+  /// behind. `hit.cell` is that of the polygon; cellAt() of the point may be the one on the other side. A ray of Box2D
+  /// leaks where segments were too short for an edge; this one does not. It looks at no filter and at no body: for what
+  /// stands before the ground cast a ray of Box2D as well, and take the nearer hit. Cost: as of World::rayCast().
   std::optional<GroundRayHit> rayCast(const Position& from, const Position& to) const noexcept;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
