@@ -53,6 +53,9 @@ struct CollisionObject {
   double thickness = 0;  ///< pixels, of a polygon that was an open polyline
 };
 
+/// Whether a polyline does not end where it began; otherwise it is a polygon.
+bool isOpen(const std::vector<DoublePoint>& points);
+
 /// Reads an <object>, with what its template says. The offset is that of its <objectgroup>.
 CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates);
 

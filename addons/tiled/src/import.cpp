@@ -20,10 +20,8 @@ std::string leftOutAsAsked(const Report& report) {
     if (tile.isLeftOut) uses[tile.className] += tile.uses;
   }
   std::string text;
-  for (const auto& [name, count] : uses) {
-    text += (text.empty() ? "left out, as asked: " : ", ") + std::to_string(count) + " uses of " + inQuotes(name);
-  }
-  return text;
+  for (const auto& [name, count] : uses) join(text, concat(count, " uses of ", inQuotes(name)), ", ");
+  return text.empty() ? text : "left out, as asked: " + text;
 }
 
 class Import {
@@ -109,12 +107,11 @@ class Import {
 };
 
 void Import::checkOptions() {
-  if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
-    first_.fail({}, "the tolerance should be 0 or more", "tolerance");
-  }
-  if (!(options_.polylineThickness >= 0 && std::isfinite(options_.polylineThickness))) {
-    first_.fail({}, "the thickness of polylines should be 0 or more", "polylineThickness");
-  }
+  const auto check = [&](double value, const char* what, const char* option) {
+    if (!(value >= 0 && std::isfinite(value))) first_.fail({}, concat("the ", what, " should be 0 or more"), option);
+  };
+  check(options_.tolerance, "tolerance", "tolerance");
+  check(options_.polylineThickness, "thickness of polylines", "polylineThickness");
 }
 
 void Import::readMap(MapSource& source) {
@@ -220,8 +217,8 @@ void Import::readTileLayer(const Layer& layer, std::uint32_t index) {
                        propertiesOf(layer)};
   LayerReport& report = map_.report.layers[index];
   if (current.rest.x != 0 || current.rest.y != 0) {
-    report.note = "shifted by " + pixels(current.rest.x) + ", " + pixels(current.rest.y) +
-                  " against the grid: its polygons reach out of their cells";
+    report.note = concat("shifted by ", pixels(current.rest.x), ", ", pixels(current.rest.y),
+                         " against the grid: its polygons reach out of their cells");
   }
   readTiles(file(), layer, left_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
     ++report.tiles;
@@ -276,11 +273,10 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
   TileReport report;
   report.tileset = tileset.name;
   report.id = number - tileset.firstGid;
-  if (const auto tile = tileset.tiles.find(report.id); tile != tileset.tiles.end()) {
-    report.className = tile->second.className;
-    report.isLeftOut = isLeftOut(tile->second, options_);
-    report.hasShapes = !report.isLeftOut && !tile->second.objects.empty();
-  }
+  const Tile& tile = tileset.tile(report.id);
+  report.className = tile.className;
+  report.isLeftOut = isLeftOut(tile, options_);
+  report.hasShapes = !report.isLeftOut && !tile.objects.empty();
   std::vector<TileReport>& tiles = map_.report.tiles;
   const auto next = static_cast<std::uint32_t>(tiles.size());
   const auto [at, isFirst] = reports_.try_emplace({report.tileset, report.id, report.className}, next);
@@ -296,13 +292,12 @@ void Import::finish() {
   for (const auto& map : maps_) {
     for (const Tileset& tileset : map->tilesets.all()) {
       asked_.see(tileset);
-      if (report.partial.find(tileset.missing) == std::string::npos)
-        report.partial += (report.partial.empty() ? "" : "; ") + tileset.missing;
+      if (report.partial.find(tileset.missing) == std::string::npos) join(report.partial, tileset.missing);
     }
     for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
   }
   if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
-  if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
+  if (strayTiles_ > 0) report.notes.push_back(concat(strayTiles_, " tiles belong to no tileset of the map"));
   const auto sort = [](std::vector<Note>& notes) {
     std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
       return std::pair(a.kind, a.object) < std::pair(b.kind, b.object);

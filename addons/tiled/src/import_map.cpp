@@ -30,8 +30,6 @@ void forget(ImportedMap& map) {
   map.report.blocks.clear();
 }
 
-void join(std::string& list, const std::string& text) { list += (list.empty() ? "" : "; ") + text; }
-
 class WholeImport {
  public:
   WholeImport(const std::string& path, const Options& options, const FileReader& reader, const FolderLister& lister)
@@ -100,13 +98,11 @@ class WholeImport {
 
   void tellChoice(Report& report) const {
     std::string words;
-    for (const std::string& argument : choosingArguments(taken_->options)) words += " " + shellWord(argument);
-    report.choice = taken_->text + (words.empty() ? "" : " (" + words.substr(1) + ")");
-    for (const auto& [what, passable] : facts_.passable) {
-      const std::vector<std::string>& names = taken_->options.leaveOut;
-      if (passable.areSquares && std::find(names.begin(), names.end(), what) == names.end()) continue;
-      report.leftOut += (report.leftOut.empty() ? "" : ", ") + what + " (" + std::to_string(passable.uses) + ")";
-    }
+    for (const std::string& argument : choosingArguments(taken_->options)) join(words, shellWord(argument), " ");
+    report.choice = taken_->text + (words.empty() ? "" : " (" + words + ")");
+    for (const auto& [what, passable] : facts_.passable)
+      if (!passable.areSquares || has(taken_->options.leaveOut, what))
+        join(report.leftOut, concat(what, " (", passable.uses, ")"), ", ");
   }
 
   /// Offers what options give, unless it is the same as what was taken or cannot be had. All that is tried shares what

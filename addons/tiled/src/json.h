@@ -1,13 +1,9 @@
 // JSON values with the paths that lead to them, for messages: "layers/2/objects/0".
 #pragma once
 
-#include <lgs/tiled/import.h>
+#include "xml.h"
 
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <pugixml.hpp>
-#include <string>
-#include <string_view>
 
 namespace lgs::tiled {
 
@@ -41,12 +37,8 @@ struct JsonPlace {
   std::string text(const char* key) const;
 };
 
-/// A scalar as XML writes it: numbers in the fewest digits that mean the same, yes and no as `yes` and `no`. Nothing
-/// for null, arrays and objects.
-std::optional<std::string> scalarText(const Json& value, const char* yes, const char* no);
-
-/// A number in the fewest digits that mean the same.
-std::string numberText(double value);
+/// A scalar as XML writes it: numbers in the fewest digits that mean the same. Nothing for null, arrays and objects.
+std::optional<std::string> scalarText(const Json& value);
 
 /// What reads one file of JSON. It keeps the first problem; after it, all functions return defaults.
 class JsonReading {
@@ -93,16 +85,13 @@ void readJson(const std::string& file, std::string_view text, const FileReader& 
 /// The same for a JSON value of Tiled's; `kind` is "map", "tileset", "template" or "world".
 void readTiledJson(const JsonReading& reading, const JsonPlace& root, const char* kind, pugi::xml_document& document);
 
-/// What a file is that is neither XML nor JSON, such as "a Godot scene"; "" if it is not known.
+/// The message about a file of another kind, such as a Godot scene, by how it begins, by the name of its XML root, or by
+/// the keys of its JSON; "" if the kind is not known.
 std::string foreignText(std::string_view text);
-
-/// What a file is by the name of its XML root; "" if it is not known.
 std::string foreignXml(std::string_view rootName);
-
-/// What a JSON file is that is neither Tiled's nor an LDtk project; "" if it is not known.
 std::string foreignJson(const Json& root);
 
-/// The message about such a file.
-std::string isForeign(const std::string& what);
+/// The same of a kind in words.
+std::string isForeign(std::string_view what);
 
 }  // namespace lgs::tiled

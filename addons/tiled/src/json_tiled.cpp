@@ -53,7 +53,7 @@ class TiledJson {
       if (isFlag || isOneOf(key, {"image", "imagewidth", "imageheight"})) continue;
       if (key == "type" && element != "object" && element != "tile") continue;  // the kind, and no class
       if (isLayer && isOneOf(key, {"data", "encoding", "compression"})) continue;
-      if (const auto text = scalarText(value, "1", "0")) setAttribute(to, key.c_str(), *text);
+      if (const auto text = scalarText(value)) setAttribute(to, key.c_str(), *text);
     }
     properties(from["properties"], to);
     image(from, to);
@@ -94,7 +94,7 @@ class TiledJson {
     if (from.text("image").empty()) return;
     const pugi::xml_node node = addElement(to, "image", from);
     for (const auto& [key, name] : {std::pair("imagewidth", "width"), std::pair("imageheight", "height")}) {
-      if (const auto size = scalarText(*from[key].value, "1", "0")) setAttribute(node, name, *size);
+      if (const auto size = scalarText(*from[key].value)) setAttribute(node, name, *size);
     }
   }
 
@@ -148,7 +148,7 @@ class TiledJson {
     const pugi::xml_node whole = addElement(data, "chunk", from);  // an infinite map that was saved without chunks
     for (const auto& [key, name] :
          {std::pair("startx", "x"), {"starty", "y"}, {"width", "width"}, {"height", "height"}})
-      setAttribute(whole, name, scalarText(*from[key].value, "1", "0").value_or("0"));
+      setAttribute(whole, name, scalarText(*from[key].value).value_or("0"));
     write(all, isPacked, whole);
   }
 
@@ -166,7 +166,7 @@ class TiledJson {
     std::string list;
     for (const Json& number : *from.value) {
       if (!list.empty()) list += ',';
-      list += number.is_number() ? *scalarText(number, "", "") : "?";
+      list += number.is_number() ? *scalarText(number) : "?";
     }
     to.text() = list.c_str();
   }

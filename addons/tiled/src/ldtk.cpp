@@ -111,8 +111,8 @@ void LdtkProject::readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_no
   if (!text) return reading_.fail(level, "its file " + path + " cannot be read: " + text.error());
   const auto json = parseJson(*text);
   if (!json) {
-    const std::string line = json.error().line > 0 ? ":" + std::to_string(json.error().line) : "";
-    return reading_.fail(level, "its file " + path + line + " " + json.error().what);
+    const std::string line = json.error().line > 0 ? concat(":", json.error().line) : "";
+    return reading_.fail(level, concat("its file ", path, line, " ", json.error().what));
   }
   readLayers({&*json, level.path + " (" + path + ")"}, group);
 }
@@ -153,13 +153,12 @@ void LdtkProject::readIntGrid(const JsonPlace& layer, pugi::xml_node to) {
   std::uint64_t last = 0;
   for (const Json& value : *csv.value) {
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= kLdtkSetSize) {
-      return reading_.fail(csv, "should hold whole numbers from 0 to " + std::to_string(kLdtkSetSize - 1));
+      return reading_.fail(csv, concat("should hold whole numbers from 0 to ", kLdtkSetSize - 1));
     }
     const auto number = value.get<std::uint64_t>();
     if (number != last && number != 0) grid->values.try_emplace(number, "");
     last = number;
-    if (!list.empty()) list += ',';
-    list += std::to_string(number == 0 ? 0 : grid->firstGid + number);
+    list += concat(list.empty() ? "" : ",", number == 0 ? 0 : grid->firstGid + number);
   }
   data.text() = list.c_str();
 }
@@ -170,13 +169,13 @@ IntGrid* LdtkProject::intGridOf(const JsonPlace& layer) {
   IntGrid& grid = at->second;
   if (!isNew) return &grid;
   if (intGrids_.size() > kMaxLdtkSets) {
-    reading_.fail(layer, "is one IntGrid layer too many: there may be " + std::to_string(kMaxLdtkSets));
+    reading_.fail(layer, concat("is one IntGrid layer too many: there may be ", kMaxLdtkSets));
     return nullptr;
   }
   grid.firstGid = intGrids_.size() * kLdtkSetSize;
   grid.name = layer.text("__identifier");
   if (grid.name.size() > kMaxLayerName) {  // the names of its values may have it, each one anew
-    reading_.fail(layer["__identifier"], "should have at most " + std::to_string(kMaxLayerName) + " bytes");
+    reading_.fail(layer["__identifier"], concat("should have at most ", kMaxLayerName, " bytes"));
     return nullptr;
   }
   grid.grid = reading_.number(layer["__gridSize"]);

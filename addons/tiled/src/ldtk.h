@@ -4,7 +4,6 @@
 #pragma once
 
 #include "json.h"
-#include "xml.h"
 
 #include <map>
 #include <set>

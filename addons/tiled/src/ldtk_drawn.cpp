@@ -40,8 +40,8 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
   const double tileSide = tileset == tilesets_.end() ? side : reading_.number(tileset->second["tileGridSize"], side);
   if (tileSide != side) {
     setAttribute(to, kLdtkNotSolidAttribute,
-                 "has tiles of " + numberText(tileSide) + " px on a grid of " + numberText(side) +
-                     " px. Only tiles as large as the grid can be solid");
+                 concat("has tiles of ", numberText(tileSide), " px on a grid of ", numberText(side),
+                        " px. Only tiles as large as the grid can be solid"));
   }
   const pugi::xml_node data = addElement(to, "data", layer);
   setAttribute(data, "encoding", "csv");
@@ -52,8 +52,7 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
       const std::vector<JsonPlace> px = reading_.elements(tile["px"]);
       const double id = reading_.number(tile["t"]);
       if (px.size() != 2 || !(id >= 0 && id < kLdtkSetSize && id == std::floor(id))) {
-        return reading_.fail(
-            tile, "should have two numbers 'px', and a tile 't' from 0 to " + std::to_string(kLdtkSetSize - 1));
+        return reading_.fail(tile, concat("should have two numbers 'px', and a tile 't' from 0 to ", kLdtkSetSize - 1));
       }
       const double column = reading_.number(px[0]) / side, row = reading_.number(px[1]) / side;
       if (column != std::floor(column) || row != std::floor(row)) {
@@ -67,7 +66,7 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
       }
     }
   }
-  if (astray > 0) setAttribute(to, kRemarkAttribute, std::to_string(astray) + " tiles beside the grid are left out");
+  if (astray > 0) setAttribute(to, kRemarkAttribute, concat(astray, " tiles beside the grid are left out"));
 }
 
 void DrawnLayers::writeTilesets(pugi::xml_node map, const std::map<std::string, std::uint64_t>& names) const {

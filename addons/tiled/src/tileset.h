@@ -26,9 +26,12 @@ struct Tileset {
   std::string alignment;                          ///< which point of a tile object is its place; empty: the default
   std::string missing;                            ///< why its file is not there; then no tile has shapes or properties
   std::unordered_map<std::uint32_t, Tile> tiles;  ///< by id; only those that the file has a <tile> for
+
+  /// A tile; one without shapes if the file has no <tile> for it.
+  const Tile& tile(std::uint32_t id) const;
 };
 
-/// A tile of a tileset, with the size of its image; one without shapes if the file has no <tile> for it.
+/// A copy of a tile, with the size of its image.
 Tile tileAt(const Tileset& tileset, std::uint32_t id);
 
 /// Gives each tile that a table names the shape that the table says, instead of its own ones.
