@@ -121,7 +121,9 @@ void leaveOut(CollisionObject& object, std::string reason) {
 CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates) {
   const std::string named = node.attribute("template").value();
   if (named.empty()) return readPlain(file, node, offset);
-  Template& origin = templates.of(file, named);
+  std::unique_ptr<Template>& known = templates[file.pathTo(named)];
+  if (!known) known = std::make_unique<Template>(file, named);
+  Template& origin = *known;
   const auto model = origin.file.root().child("object");
   if (origin.error || !model) {
     CollisionObject object;

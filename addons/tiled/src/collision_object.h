@@ -9,29 +9,14 @@
 namespace lgs::tiled {
 
 struct Template {
-  Template(const XmlFile& by, const std::string& named, const FileReader& reader)
-      : file(by, named, reader, "template", error) {}
+  Template(const XmlFile& by, const std::string& named) : file(by, named, "template", error) {}
 
   std::optional<ImportError> error;  ///< why it or its tileset can not be read; this does not spoil the map
   XmlFile file;
 };
 
-/// The templates of an import, each read once.
-class Templates {
- public:
-  explicit Templates(const FileReader& reader) : reader_(reader) {}
-
-  /// The one that a file names.
-  Template& of(const XmlFile& file, const std::string& named) {
-    std::unique_ptr<Template>& known = templates_[file.pathTo(named)];
-    if (!known) known = std::make_unique<Template>(file, named, reader_);
-    return *known;
-  }
-
- private:
-  const FileReader& reader_;
-  std::map<std::string, std::unique_ptr<Template>> templates_;  // by path
-};
+/// The templates of a map, each read once, by path.
+using Templates = std::map<std::string, std::unique_ptr<Template>>;
 
 /// A shape in pixels, y down: from the upper left corner of a tile's image, or of the map.
 struct CollisionObject {

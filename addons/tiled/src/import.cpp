@@ -26,12 +26,10 @@ std::string leftOutAsAsked(const Report& report) {
 
 class Import {
  public:
-  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left,
-         std::optional<ImportError>& error)
+  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left)
       : options_(options),
         first_(file),
         maps_(maps),
-        error_(error),
         left_(left),
         budget_(budget),
         names_(options),
@@ -49,7 +47,7 @@ class Import {
     if (!failed()) names_.checkAll(first_);
     if (!failed()) placer_.finish(map_);
     if (!failed()) checkBudget(first_.root());
-    if (failed()) return tl::unexpected(*error_);
+    if (failed()) return tl::unexpected(*first_.error());
     finish();
     return std::move(map_);
   }
@@ -69,7 +67,7 @@ class Import {
     std::unordered_map<std::uint32_t, Ready> ready = {};  // by tile number with flags
   };
 
-  bool failed() const { return error_.has_value(); }
+  bool failed() const { return first_.failed(); }
   const XmlFile& file() const { return *source_->file; }
   void checkOptions();
   void readMap(MapSource& source);
@@ -87,7 +85,6 @@ class Import {
   const Options& options_;
   const XmlFile& first_;  // the map or the world
   const Maps& maps_;
-  std::optional<ImportError>& error_;
   Limits& left_;
   Budget& budget_;
   LayerNames names_;
@@ -312,8 +309,8 @@ void Import::finish() {
 }  // namespace
 
 tl::expected<ImportedMap, ImportError> importMaps(const XmlFile& file, const Maps& maps, const Options& options,
-                                                  Budget& budget, Limits& left, std::optional<ImportError>& error) {
-  return Import(file, maps, options, budget, left, error).run();
+                                                  Budget& budget, Limits& left) {
+  return Import(file, maps, options, budget, left).run();
 }
 
 }  // namespace lgs::tiled

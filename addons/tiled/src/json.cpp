@@ -62,7 +62,7 @@ bool JsonPlace::is(const char* key) const {
 }
 
 JsonPlace JsonPlace::operator[](const char* key) const {
-  JsonPlace result{&kNoJson, (path.empty() ? "" : path + "/") + key};
+  JsonPlace result{&kNoJson, concat(path, path.empty() ? "" : "/", key), file};
   if (!value->is_object()) return result;
   const auto found = value->find(key);
   if (found != value->end()) result.value = &*found;
@@ -89,32 +89,29 @@ std::optional<std::string> scalarText(const Json& value) {
   return std::nullopt;
 }
 
-void JsonReading::fail(const JsonPlace& at, std::string what) const {
-  if (!failed()) error_ = ImportError{file_, 0, at.path, std::move(what)};
+void JsonPlace::fail(std::string what) const {
+  if (!failed()) file->error = ImportError{file->name, 0, path, std::move(what)};
 }
 
-std::vector<JsonPlace> JsonReading::elements(const JsonPlace& array) const {
+std::vector<JsonPlace> JsonPlace::elements() const {
   std::vector<JsonPlace> result;
-  if (array.isMissing()) return result;
-  if (!array.value->is_array()) {
-    fail(array, "should be an array");
-    return result;
-  }
-  for (const Json& value : *array.value) result.push_back({&value, array.path + "/" + std::to_string(result.size())});
+  if (!isMissing() && !value->is_array()) fail("should be an array");
+  if (!value->is_array()) return result;
+  for (const Json& one : *value) result.push_back({&one, concat(path, "/", result.size()), file});
   return result;
 }
 
-std::vector<JsonPlace> JsonReading::objects(const JsonPlace& array) const {
-  std::vector<JsonPlace> result = elements(array);
+std::vector<JsonPlace> JsonPlace::objects() const {
+  std::vector<JsonPlace> result = elements();
   for (const JsonPlace& element : result) {
-    if (!element.value->is_object()) fail(element, "should be an object");
+    if (!element.value->is_object()) element.fail("should be an object");
   }
   return failed() ? std::vector<JsonPlace>{} : result;
 }
 
-double JsonReading::number(const JsonPlace& at, std::optional<double> fallback) const {
-  if (at.value->is_number()) return at.value->get<double>();
-  if (!at.isMissing() || !fallback) fail(at, at.isMissing() ? "is missing" : "should be a number");
+double JsonPlace::number(std::optional<double> fallback) const {
+  if (value->is_number()) return value->get<double>();
+  if (!isMissing() || !fallback) fail(isMissing() ? "is missing" : "should be a number");
   return fallback.value_or(0);
 }
 
@@ -157,22 +154,20 @@ void addProperty(pugi::xml_node node, const std::string& name, const Json& value
   if (const auto text = scalarText(value)) setAttribute(property, "value", *text);
 }
 
-void readJson(const std::string& file, std::string_view text, const FileReader& reader, pugi::xml_document& document,
-              std::optional<ImportError>& error) {
+void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& document) {
   const auto json = parseJson(text);
   if (!json) {
-    error = ImportError{file, static_cast<int>(json.error().line), "", json.error().what};
+    file.error = ImportError{file.name, static_cast<int>(json.error().line), "", json.error().what};
     return;
   }
-  const JsonReading reading(file, error);
-  const JsonPlace root{&*json, ""};
-  if (isLdtkProject(root)) return readLdtk(reading, root, reader, document);
-  if (const std::string foreign = foreignJson(*json); !foreign.empty()) return reading.fail(root, foreign);
+  const JsonPlace root{&*json, "", &file};
+  if (isLdtkProject(root)) return readLdtk(root, document);
+  if (const std::string foreign = foreignJson(*json); !foreign.empty()) return root.fail(foreign);
   const char* const kind = tiledKind(root);
   if (*kind == '\0') {
-    return reading.fail(root, "is JSON, but neither of Tiled (a map, tileset, template or world) nor an LDtk project");
+    return root.fail("is JSON, but neither of Tiled (a map, tileset, template or world) nor an LDtk project");
   }
-  readTiledJson(reading, root, kind, document);
+  readTiledJson(root, kind, document);
 }
 
 }  // namespace lgs::tiled

@@ -26,8 +26,7 @@ pugi::xml_node addTileset(pugi::xml_node map, const std::string& name, std::uint
 
 bool isLdtkProject(const JsonPlace& root);
 
-void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReader& reader,
-              pugi::xml_document& document);
+void readLdtk(const JsonPlace& root, pugi::xml_document& document);
 
 /// An IntGrid layer whose cells have no size is an error.
 void checkGrids(const XmlFile& file, pugi::xml_node parent);
@@ -43,7 +42,7 @@ inline constexpr std::uint64_t kMaxLdtkSets = 0x7F;  ///< of IntGrid layers, and
 
 class DrawnLayers {
  public:
-  DrawnLayers(const JsonReading& reading, const JsonPlace& root);
+  explicit DrawnLayers(const JsonPlace& root);
 
   /// Gives a layer of the document the tiles of a layer of the project.
   void read(const JsonPlace& layer, pugi::xml_node to);
@@ -63,7 +62,6 @@ class DrawnLayers {
   Set* setOf(const JsonPlace& layer);
   void writeTiles(pugi::xml_node to, const Set& set) const;
 
-  const JsonReading& reading_;
   std::map<double, JsonPlace> tilesets_;           // by the number of their definition
   std::map<std::pair<double, double>, Set> sets_;  // by the numbers of layer and tileset
 };

@@ -8,19 +8,18 @@
 
 namespace lgs::tiled {
 
-DrawnLayers::DrawnLayers(const JsonReading& reading, const JsonPlace& root) : reading_(reading) {
-  for (const JsonPlace& tileset : reading.objects(root["defs"]["tilesets"])) {
-    tilesets_.emplace(reading.number(tileset["uid"], 0), tileset);
-  }
+DrawnLayers::DrawnLayers(const JsonPlace& root) {
+  for (const JsonPlace& tileset : root["defs"]["tilesets"].objects())
+    tilesets_.emplace(tileset["uid"].number(0), tileset);
 }
 
 DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
-  const double tileset = reading_.number(layer["__tilesetDefUid"], 0);
-  const auto [at, isNew] = sets_.try_emplace({reading_.number(layer["layerDefUid"], 0), tileset});
+  const double tileset = layer["__tilesetDefUid"].number(0);
+  const auto [at, isNew] = sets_.try_emplace({layer["layerDefUid"].number(0), tileset});
   if (isNew) {
     at->second = {(kMaxLdtkSets + sets_.size()) * kLdtkSetSize,
                   layer.text("__identifier"),
-                  reading_.number(layer["__gridSize"], 0),
+                  layer["__gridSize"].number(0),
                   tileset,
                   {}};
   }
@@ -31,13 +30,13 @@ DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
 
 /// A layer that cannot be solid says why, for whoever asks.
 void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
-  const double side = reading_.number(layer["__gridSize"], 0);
+  const double side = layer["__gridSize"].number(0);
   setAttribute(to, kDrawnAttribute, "1");
   setNumbers(to, {{kLdtkGridAttribute, side}, {"width", 0}, {"height", 0}});  // each tile is a chunk: some share a cell
   Set* const set = setOf(layer);
   if (!set) return setAttribute(to, kLdtkNotSolidAttribute, "is one layer of tiles too many to be solid");
   const auto tileset = tilesets_.find(set->tileset);
-  const double tileSide = tileset == tilesets_.end() ? side : reading_.number(tileset->second["tileGridSize"], side);
+  const double tileSide = tileset == tilesets_.end() ? side : tileset->second["tileGridSize"].number(side);
   if (tileSide != side) {
     setAttribute(to, kLdtkNotSolidAttribute,
                  concat("has tiles of ", numberText(tileSide), " px on a grid of ", numberText(side),
@@ -48,13 +47,13 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
   std::set<std::tuple<double, double, double>> known;
   std::uint64_t astray = 0;
   for (const char* list : {"gridTiles", "autoLayerTiles"}) {
-    for (const JsonPlace& tile : reading_.objects(layer[list])) {
-      const std::vector<JsonPlace> px = reading_.elements(tile["px"]);
-      const double id = reading_.number(tile["t"]);
+    for (const JsonPlace& tile : layer[list].objects()) {
+      const std::vector<JsonPlace> px = tile["px"].elements();
+      const double id = tile["t"].number();
       if (px.size() != 2 || !(id >= 0 && id < kLdtkSetSize && id == std::floor(id))) {
-        return reading_.fail(tile, concat("should have two numbers 'px', and a tile 't' from 0 to ", kLdtkSetSize - 1));
+        return tile.fail(concat("should have two numbers 'px', and a tile 't' from 0 to ", kLdtkSetSize - 1));
       }
-      const double column = reading_.number(px[0]) / side, row = reading_.number(px[1]) / side;
+      const double column = px[0].number() / side, row = px[1].number() / side;
       if (column != std::floor(column) || row != std::floor(row)) {
         ++astray;
       } else if (known.insert({column, row, id}).second) {
@@ -89,9 +88,9 @@ void DrawnLayers::writeTiles(pugi::xml_node to, const Set& set) const {
   }
   const auto tileset = tilesets_.find(set.tileset);
   if (tileset == tilesets_.end()) return;
-  for (const JsonPlace& tag : reading_.objects(tileset->second["enumTags"])) {
-    for (const JsonPlace& id : reading_.elements(tag["tileIds"])) {
-      const double number = reading_.number(id);
+  for (const JsonPlace& tag : tileset->second["enumTags"].objects()) {
+    for (const JsonPlace& id : tag["tileIds"].elements()) {
+      const double number = id.number();
       const auto tile =
           tiles.find(number >= 0 && number < kLdtkSetSize ? static_cast<std::uint64_t>(number) : kLdtkSetSize);
       if (tile != tiles.end()) addProperty(tile->second, tag.text("enumValueId"), true);

@@ -57,8 +57,7 @@ void readContent(const XmlFile& file, pugi::xml_node node, Templates& templates,
 
 }  // namespace
 
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader, Templates& templates,
-                    std::optional<ImportError>& error) {
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates) {
   Tileset tileset;
   tileset.firstGid = static_cast<std::uint32_t>(map.integer(node, "firstgid", std::nullopt, 1, kMaxGid));
   const std::string source = node.attribute("source").value();
@@ -67,7 +66,8 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
     return tileset;
   }
   if (map.failed() || source.starts_with(kInsideTiled)) return tileset;
-  const XmlFile file(map, source, reader, "tileset", error);
+  std::optional<ImportError>& error = map.error();
+  const XmlFile file(map, source, "tileset", error);
   if (error && !file.wasRead()) {  // the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
@@ -107,11 +107,10 @@ CollisionObject fullSquare(const Tile& tile) {
   return square;
 }
 
-void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& templates, const TileTable& table,
-                    std::optional<ImportError>& error) {
+void Tilesets::read(const XmlFile& map, Templates& templates, const TileTable& table) {
   std::map<std::uint32_t, std::string> names;  // by firstGid
   for (const auto node : map.root().children("tileset")) {
-    tilesets_.push_back(readTileset(map, node, reader, templates, error));
+    tilesets_.push_back(readTileset(map, node, templates));
     if (map.failed()) return;
     Tileset& last = tilesets_.back();
     reshape(last, table);

@@ -49,8 +49,7 @@ CollisionObject fullSquare(const Tile& tile);
 /// The tilesets of a map.
 class Tilesets {
  public:
-  void read(const XmlFile& map, const FileReader& reader, Templates& templates, const TileTable& table,
-            std::optional<ImportError>& error);
+  void read(const XmlFile& map, Templates& templates, const TileTable& table);
 
   const std::vector<Tileset>& all() const { return tilesets_; }
 
@@ -61,9 +60,7 @@ class Tilesets {
   std::vector<Tileset> tilesets_;  // by firstGid
 };
 
-/// Reads a <tileset> of a map or template, from another file if it names one. `error` is that of the import; it keeps a
-/// problem.
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader, Templates& templates,
-                    std::optional<ImportError>& error);
+/// Reads a <tileset> of a map or template, from another file if it names one.
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates);
 
 }  // namespace lgs::tiled

@@ -86,13 +86,13 @@ std::optional<double> parseReal(std::string_view text) {
 
 XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
                  Quoting quoting, const std::string& refusal)
-    : name_(std::move(name)), quoting_(quoting), error_(error) {
+    : name_(std::move(name)), quoting_(quoting), reader_(reader), error_(error) {
   if (failed()) return;
   auto text = refusal.empty() ? reader(name_) : tl::unexpected(refusal);
   wasRead_ = text.has_value();
   if (wasRead_) {
     text_ = std::move(*text);
-    parse(reader);
+    parse();
     if (!failed()) expectRoot(rootName);
   } else {
     isMissing_ = text.error().starts_with(kNoSuchFile);
@@ -100,17 +100,16 @@ XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootNam
   }
 }
 
-XmlFile::XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
-                 std::optional<ImportError>& error)
-    : XmlFile(by.pathTo(named), reader, rootName, error, {by.quoting_.others, by.quoting_.others},
+XmlFile::XmlFile(const XmlFile& by, const std::string& named, const char* rootName, std::optional<ImportError>& error)
+    : XmlFile(by.pathTo(named), by.reader_, rootName, error, {by.quoting_.others, by.quoting_.others},
               by.quoting_.others ? "" : whyNotToRead(named, rootName)) {}
 
-void XmlFile::parse(const FileReader& reader) {
+void XmlFile::parse() {
   const std::string foreign = foreignText(text_);
   if (!foreign.empty()) return fail({}, foreign);
   const std::string_view start =
       trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
-  if (start.starts_with('{') || start.starts_with('[')) return readJson(name_, text_, reader, document_, error_);
+  if (start.starts_with('{') || start.starts_with('[')) return readJson({name_, reader_, error_}, text_, document_);
   const auto result = document_.load_buffer(text_.data(), text_.size());
   if (result.status == pugi::status_no_document_element) return fail({}, isForeign("neither XML nor JSON"));
   if (!result)

@@ -64,18 +64,18 @@ struct Quoting {
 class XmlFile {
  public:
   /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. If there is a
-  /// refusal, that is why it is not read. All files of an import share `error`, which must outlive them.
+  /// refusal, that is why it is not read. All files of an import share `error`, which must outlive them like the reader.
   XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
           Quoting quoting, const std::string& refusal = {});
 
   /// The same of a file that another one names. Unless files may lie anywhere, it is read only if the name is not
   /// absolute and has an extension of its kind.
-  XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
-          std::optional<ImportError>& error);
+  XmlFile(const XmlFile& by, const std::string& named, const char* rootName, std::optional<ImportError>& error);
 
   const std::string& name() const { return name_; }
   pugi::xml_node root() const { return document_.document_element(); }
   bool failed() const { return error_.has_value(); }
+  std::optional<ImportError>& error() const { return error_; }
   bool wasRead() const { return wasRead_; }      ///< the reader gave its text, whatever there is in it
   bool isMissing() const { return isMissing_; }  ///< the reader says that there is no such file
 
@@ -103,7 +103,7 @@ class XmlFile {
   std::vector<DoublePoint> points(pugi::xml_node node, const char* attribute) const;
 
  private:
-  void parse(const FileReader& reader);
+  void parse();
   void expectRoot(std::string_view rootName) const;
   int lineAt(std::ptrdiff_t offset) const;
 
@@ -112,6 +112,7 @@ class XmlFile {
   bool wasRead_ = false, isMissing_ = false;
   std::string text_;
   pugi::xml_document document_;
+  const FileReader& reader_;
   std::optional<ImportError>& error_;
 };
 
