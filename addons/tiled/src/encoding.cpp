@@ -104,9 +104,6 @@ tl::expected<Gids, std::string> decodeBase64(std::string_view text, std::string_
     bytes = inflated(*bytes, count * 4);
   } else if (compression == "zstd") {
     bytes = unzstd(*bytes, count * 4);
-  } else if (!compression.empty()) {
-    return tl::unexpected(
-        concat("has the unknown compression '", compression, "': save the map with zlib, gzip, zstd or none"));
   }
   if (!bytes) return tl::unexpected(bytes.error());
   if (bytes->size() > count * 4) return tl::unexpected(tooMany(count));

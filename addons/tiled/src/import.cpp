@@ -27,15 +27,7 @@ std::string leftOutAsAsked(const Report& report) {
 class Import {
  public:
   Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left)
-      : options_(options),
-        first_(file),
-        maps_(maps),
-        left_(left),
-        budget_(budget),
-        names_(options),
-        asked_(options),
-        blocks_(options),
-        placer_(budget) {
+      : options_(options), first_(file), maps_(maps), left_(left), budget_(budget) {
     map_.report.file = file.name();
   }
 
@@ -87,10 +79,10 @@ class Import {
   const Maps& maps_;
   Limits& left_;
   Budget& budget_;
-  LayerNames names_;
-  AskedNames asked_;
-  BlockNumbers blocks_;
-  Placer placer_;
+  LayerNames names_{options_};
+  AskedNames asked_{options_};
+  BlockNumbers blocks_{options_};
+  Placer placer_{budget_};
   ImportedMap map_;
   PixelGrid grid_;
   DoublePoint min_, max_;                                                                 // of the maps, in tiles

@@ -14,7 +14,7 @@ constexpr int kMaxJsonDepth = 512;
 /// Says what is wrong with a text and where, which the parser that makes the values says by an exception alone.
 class FaultFinder : public nlohmann::detail::json_sax_acceptor<Json> {
  public:
-  explicit FaultFinder(std::string_view text) : text_(text) {}
+  FaultFinder(std::string_view text, bool mayQuote) : text_(text), mayQuote_(mayQuote) {}
 
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& exception) {
     const std::string_view read = text_.substr(0, position);
@@ -22,7 +22,8 @@ class FaultFinder : public nlohmann::detail::json_sax_acceptor<Json> {
     std::string_view what = exception.what();  // "[json.exception.parse_error.101] parse error at …: what"
     const auto colon = what.find(": ");
     what = what.substr(colon == std::string_view::npos ? what.find("] ") + 2 : colon + 2);
-    what = what.substr(0, what.find("; last read: "));  // a piece of the file, which need not be the map's
+    what = what.substr(0, what.find("; last read: "));  // a piece of the file
+    if (!mayQuote_) what = what.substr(0, what.find(" parsing '"));
     fault.what = concat("is not well-formed JSON: ", what);
     return false;
   }
@@ -31,13 +32,14 @@ class FaultFinder : public nlohmann::detail::json_sax_acceptor<Json> {
 
  private:
   std::string_view text_;
+  bool mayQuote_;
 };
 
 const Json kNoJson;
 
 }  // namespace
 
-tl::expected<Json, JsonFault> parseJson(std::string_view text) {
+tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote) {
   bool isTooDeep = false;
   Json root = Json::parse(
       text.begin(), text.end(),
@@ -51,7 +53,7 @@ tl::expected<Json, JsonFault> parseJson(std::string_view text) {
     return tl::unexpected(
         JsonFault{0, concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep")});
   if (!root.is_discarded()) return root;
-  FaultFinder finder(text);
+  FaultFinder finder(text, mayQuote);
   Json::sax_parse(text.begin(), text.end(), &finder);
   return tl::unexpected(std::move(finder.fault));
 }
@@ -155,7 +157,7 @@ void addProperty(pugi::xml_node node, const std::string& name, const Json& value
 }
 
 void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& document) {
-  const auto json = parseJson(text);
+  const auto json = parseJson(text, file.mayQuote);
   if (!json) {
     file.error = ImportError{file.name, static_cast<int>(json.error().line), "", json.error().what};
     return;

@@ -18,13 +18,15 @@ struct JsonFault {
   std::string what;
 };
 
-/// Parses a text. Arrays and objects may be nested 512 deep, so that what goes through them may recurse.
-tl::expected<Json, JsonFault> parseJson(std::string_view text);
+/// Parses a text. Arrays and objects may be nested 512 deep, so that what goes through them may recurse. `mayQuote`:
+/// what is wrong may be quoted.
+tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote);
 
 /// A file of JSON that is read. The reader reads the files of LDtk's levels. The first problem of the import is kept;
 /// after it, all functions return defaults.
 struct JsonFile {
   std::string name;
+  bool mayQuote;
   const FileReader& reader;
   std::optional<ImportError>& error;
 };

@@ -5,6 +5,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace lgs::tiled {
@@ -158,9 +159,11 @@ tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data,
   const auto count = static_cast<std::size_t>(rect.width * rect.height);
   const std::string_view encoding = data.attribute("encoding").value();
   if (encoding == "csv") return decodeCsv(rect.node.text().get(), count);
-  if (encoding == "base64") {
-    return decodeBase64(rect.node.text().get(), data.attribute("compression").value(), count);
-  }
+  const std::string_view compression = data.attribute("compression").value();
+  if (encoding == "base64" && !has(std::array<std::string_view, 4>{"", "zlib", "gzip", "zstd"}, compression))
+    return tl::unexpected(concat("has the unknown compression", file.quoted(" ", compression),
+                                 ": save the map with zlib, gzip, zstd or none"));
+  if (encoding == "base64") return decodeBase64(rect.node.text().get(), compression, count);
   if (!encoding.empty()) {
     return tl::unexpected(
         concat("has the unknown encoding", file.quoted(" ", encoding), ": save the map with csv or base64"));

@@ -20,10 +20,9 @@ struct IntGrid {
 
 class LdtkProject {
  public:
-  LdtkProject(const JsonPlace& root, pugi::xml_node map) : root_(root), map_(map), drawn_(root) {}
+  LdtkProject(const JsonPlace& root, pugi::xml_node map) : root_(root), map_(map) {}
 
   void read() {
-    readDefinitions();
     const std::vector<JsonPlace> worlds = root_["worlds"].objects();
     if (worlds.empty() && root_["levels"].isMissing()) root_["levels"].fail("is missing");
     if (worlds.empty()) readWorld(root_, map_);
@@ -36,7 +35,6 @@ class LdtkProject {
   }
 
  private:
-  void readDefinitions();
   void readWorld(const JsonPlace& world, pugi::xml_node to);
   void readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_node to);
   void readLayers(const JsonPlace& level, pugi::xml_node to);
@@ -52,19 +50,11 @@ class LdtkProject {
 
   const JsonPlace& root_;
   pugi::xml_node map_;
-  std::map<double, IntGrid> intGrids_;            // by the number of their definition
-  std::map<double, JsonPlace> layerDefinitions_;  // likewise
-  std::map<double, bool> isEllipse_;              // entities, likewise
+  std::map<double, IntGrid> intGrids_;  // by the number of their definition
+  const Definitions layers_{root_, "layers"}, entities_{root_, "entities"};
   std::map<std::string, std::uint64_t> valueOf_;  // by name
-  DrawnLayers drawn_;
+  DrawnLayers drawn_{root_};
 };
-
-void LdtkProject::readDefinitions() {
-  for (const JsonPlace& layer : root_["defs"]["layers"].objects())
-    layerDefinitions_.emplace(layer["uid"].number(0), layer);
-  for (const JsonPlace& entity : root_["defs"]["entities"].objects())
-    isEllipse_[entity["uid"].number(0)] = entity.text("renderMode") == "Ellipse";
-}
 
 void LdtkProject::readWorld(const JsonPlace& world, pugi::xml_node to) {
   const std::string layout = world.text("worldLayout");
@@ -103,7 +93,7 @@ void LdtkProject::readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_no
   const std::string path = pathBeside(root_.file->name, named);
   const auto text = root_.file->reader(path);
   if (!text) return level.fail("its file " + path + " cannot be read: " + text.error());
-  const auto json = parseJson(*text);
+  const auto json = parseJson(*text, false);
   if (!json) {
     const std::string line = json.error().line > 0 ? concat(":", json.error().line) : "";
     return level.fail(concat("its file ", path, line, " ", json.error().what));
@@ -173,9 +163,7 @@ IntGrid* LdtkProject::intGridOf(const JsonPlace& layer) {
     return nullptr;
   }
   grid.grid = layer["__gridSize"].number();
-  const auto definition = layerDefinitions_.find(uid);
-  if (definition == layerDefinitions_.end()) return &grid;
-  for (const JsonPlace& value : definition->second["intGridValues"].objects()) {
+  for (const JsonPlace& value : layers_[uid]["intGridValues"].objects()) {
     const double number = value["value"].number(0);
     if (number >= 1 && number < kLdtkSetSize)
       grid.values.emplace(static_cast<std::uint64_t>(number), value.text("identifier"));
@@ -212,8 +200,7 @@ void LdtkProject::readEntity(const JsonPlace& entity, pugi::xml_node to) const {
   setAttribute(to, "type", entity.text("__identifier"));
   setNumbers(to, {{"x", at.x - pivot.x * size.x}, {"y", at.y - pivot.y * size.y}});
   setNumbers(to, {{"width", size.x}, {"height", size.y}});
-  const auto shape = isEllipse_.find(entity["defUid"].number(0));
-  if (shape != isEllipse_.end() && shape->second) to.append_child("ellipse");
+  if (entities_[entity["defUid"].number(0)].text("renderMode") == "Ellipse") to.append_child("ellipse");
   for (const JsonPlace& field : entity["fieldInstances"].objects()) {
     addProperty(to, field.text("__identifier"), *field["__value"].value);
   }
@@ -266,10 +253,9 @@ pugi::xml_node LdtkProject::addLayer(pugi::xml_node parent, const char* kind, co
   setAttribute(node, "name", from.text("__identifier"));
   setNumbers(node, {{"offsetx", from["__pxTotalOffsetX"].number(0)}, {"offsety", from["__pxTotalOffsetY"].number(0)}});
   if (!from["visible"].isMissing()) setAttribute(node, "visible", from.is("visible") ? "1" : "0");
-  const auto definition = layerDefinitions_.find(from["layerDefUid"].number(0));
-  if (definition == layerDefinitions_.end()) return node;
-  setNumbers(node, {{"parallaxx", 1 - definition->second["parallaxFactorX"].number(0)},
-                    {"parallaxy", 1 - definition->second["parallaxFactorY"].number(0)}});
+  const JsonPlace& definition = layers_[from["layerDefUid"].number(0)];
+  setNumbers(node, {{"parallaxx", 1 - definition["parallaxFactorX"].number(0)},
+                    {"parallaxy", 1 - definition["parallaxFactorY"].number(0)}});
   return node;
 }
 

@@ -8,11 +8,6 @@
 
 namespace lgs::tiled {
 
-DrawnLayers::DrawnLayers(const JsonPlace& root) {
-  for (const JsonPlace& tileset : root["defs"]["tilesets"].objects())
-    tilesets_.emplace(tileset["uid"].number(0), tileset);
-}
-
 DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
   const double tileset = layer["__tilesetDefUid"].number(0);
   const auto [at, isNew] = sets_.try_emplace({layer["layerDefUid"].number(0), tileset});
@@ -35,8 +30,7 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
   setNumbers(to, {{kLdtkGridAttribute, side}, {"width", 0}, {"height", 0}});  // each tile is a chunk: some share a cell
   Set* const set = setOf(layer);
   if (!set) return setAttribute(to, kLdtkNotSolidAttribute, "is one layer of tiles too many to be solid");
-  const auto tileset = tilesets_.find(set->tileset);
-  const double tileSide = tileset == tilesets_.end() ? side : tileset->second["tileGridSize"].number(side);
+  const double tileSide = tilesets_[set->tileset]["tileGridSize"].number(side);
   if (tileSide != side) {
     setAttribute(to, kLdtkNotSolidAttribute,
                  concat("has tiles of ", numberText(tileSide), " px on a grid of ", numberText(side),
@@ -86,9 +80,7 @@ void DrawnLayers::writeTiles(pugi::xml_node to, const Set& set) const {
     setAttribute(tile, "id", std::to_string(id));
     setAttribute(tile, "class", to.attribute(kLdtkDrawnAttribute).value());
   }
-  const auto tileset = tilesets_.find(set.tileset);
-  if (tileset == tilesets_.end()) return;
-  for (const JsonPlace& tag : tileset->second["enumTags"].objects()) {
+  for (const JsonPlace& tag : tilesets_[set.tileset]["enumTags"].objects()) {
     for (const JsonPlace& id : tag["tileIds"].elements()) {
       const double number = id.number();
       const auto tile =

@@ -108,14 +108,15 @@ CollisionObject fullSquare(const Tile& tile) {
 }
 
 void Tilesets::read(const XmlFile& map, Templates& templates, const TileTable& table) {
-  std::map<std::uint32_t, std::string> names;  // by firstGid
+  std::map<std::uint32_t, std::string> names;  // by firstGid; as the map has them
   for (const auto node : map.root().children("tileset")) {
     tilesets_.push_back(readTileset(map, node, templates));
     if (map.failed()) return;
     Tileset& last = tilesets_.back();
     reshape(last, table);
-    const auto [same, isNew] = names.try_emplace(last.firstGid, last.name);
-    if (!isNew) return map.fail(node, "has the same firstgid as the tileset '" + same->second + "'");
+    const auto [same, isNew] =
+        names.try_emplace(last.firstGid, node.attribute(node.attribute("source") ? "source" : "name").value());
+    if (!isNew) return map.fail(node, "has the same firstgid as the tileset" + map.quoted(" ", same->second));
   }
   std::sort(tilesets_.begin(), tilesets_.end(),
             [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });

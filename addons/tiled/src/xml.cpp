@@ -109,7 +109,8 @@ void XmlFile::parse() {
   if (!foreign.empty()) return fail({}, foreign);
   const std::string_view start =
       trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
-  if (start.starts_with('{') || start.starts_with('[')) return readJson({name_, reader_, error_}, text_, document_);
+  if (start.starts_with('{') || start.starts_with('['))
+    return readJson({name_, quoting_.own, reader_, error_}, text_, document_);
   const auto result = document_.load_buffer(text_.data(), text_.size());
   if (result.status == pugi::status_no_document_element) return fail({}, isForeign("neither XML nor JSON"));
   if (!result)
