@@ -91,8 +91,8 @@ void appendHead(const Report& report, std::string& out) {
   for (const std::string& note : report.notes) line(out, "  note: ", note);
 }
 
-/// Those notes of the kinds from first to last. Objects of which the same is to be said share a line. `layerOf` names the
-/// layer of a note, or is empty if that is clear.
+/// Those notes of the kinds from first to last. Objects of which the same is to be said share a line. `layerOf` names
+/// the layer of a note, or is empty if that is clear.
 template <class LayerOf>
 std::string linesOf(const std::vector<Note>& notes, NoteKind first, NoteKind last, const LayerOf& layerOf) {
   std::vector<std::pair<std::string, std::vector<std::string>>> lines;

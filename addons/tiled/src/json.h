@@ -82,8 +82,8 @@ void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& d
 /// The same for a JSON value of Tiled's; `kind` is "map", "tileset", "template" or "world".
 void readTiledJson(const JsonPlace& root, const char* kind, pugi::xml_document& document);
 
-/// The message about a file of another kind, such as a Godot scene, by how it begins, by the name of its XML root, or by
-/// the keys of its JSON; "" if the kind is not known.
+/// The message about a file of another kind, such as a Godot scene, by how it begins, by the name of its XML root, or
+/// by the keys of its JSON; "" if the kind is not known.
 std::string foreignText(std::string_view text);
 std::string foreignXml(std::string_view rootName);
 std::string foreignJson(const Json& root);

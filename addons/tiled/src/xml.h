@@ -63,8 +63,8 @@ struct Quoting {
 
 class XmlFile {
  public:
-  /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. If there is a
-  /// refusal, that is why it is not read. All files of an import share `error`, which must outlive them like the reader.
+  /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. A refusal says
+  /// why it is not read. All files of an import share `error`, which must outlive them, as the reader must.
   XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
           Quoting quoting, const std::string& refusal = {});
 
