@@ -138,7 +138,7 @@ bool areSimilar(std::string_view a, std::string_view b) {
 void BlockNumbers::report(ImportedMap& map) const {
   map.blocks = numbers_;
   const auto add = [](std::string& names, const std::string& name) {
-    names += (names.empty() ? "" : ", ") + (name.empty() ? "(no class)" : name);
+    join(names, name.empty() ? "(no class)" : name, ", ");
   };
   if (std::string names; !asTheyCame_.empty()) {
     for (const std::string& name : asTheyCame_) add(names, name);

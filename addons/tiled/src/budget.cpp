@@ -42,40 +42,33 @@ bool Budget::work(std::uint64_t steps) {
 bool Budget::shape(std::size_t vertices) { return work(1'000 + 64 * vertices + square(vertices)); }
 
 bool Budget::tile(const Tileset& tileset, std::uint32_t id) {
-  const auto found = tileset.tiles.find(id);
   std::uint64_t steps = 1'000;
-  if (found != tileset.tiles.end()) {
-    for (const CollisionObject& object : found->second.objects) steps += 200 + object.points.size();
-  }
+  for (const CollisionObject& object : tileset.tile(id).objects) steps += 200 + object.points.size();
   return work(steps);
 }
 
 bool Budget::strokeInCell(std::size_t vertices) { return work(2'000 + 32 * square(vertices)); }
 
-bool Budget::boundingBox(const Polygon& ring) {
-  const Box box = detail::boundingBox(ring);
+bool Budget::stroke(const Polygon& ring) {
+  const Box box = boundingBox(ring);
   const auto along = [](std::int64_t min, std::int64_t max) {
     return static_cast<std::uint64_t>((std::max(min, max - 1) >> kCellBits) - (min >> kCellBits) + 1);
   };
   const std::uint64_t cells = along(box.min.x, box.max.x) * along(box.min.y, box.max.y);
   isOutOfCells_ = isOutOfCells_ || cells > cells_;
-  if (!isOutOfCells_) cells_ -= cells;
-  return !isOutOfCells_;
-}
-
-bool Budget::stroke(const Polygon& ring) {
-  if (!boundingBox(ring)) return false;
-  std::vector<Cell> cells;  // one for each edge that runs through it
+  if (isOutOfCells_) return false;
+  cells_ -= cells;
+  std::vector<Cell> through;  // one for each edge that runs through it
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const bool isFine = alongEdge(ring[k], nextVertex(ring, k), [&](Cell cell) {
-      cells.push_back(cell);
+      through.push_back(cell);
       return work(100);
     });
     if (!isFine) return false;
   }
-  std::sort(cells.begin(), cells.end());
-  for (auto from = cells.begin(); from != cells.end();) {
-    const auto to = std::upper_bound(from, cells.end(), *from);
+  std::sort(through.begin(), through.end());
+  for (auto from = through.begin(); from != through.end();) {
+    const auto to = std::upper_bound(from, through.end(), *from);
     if (!strokeInCell(static_cast<std::size_t>(to - from))) return false;
     from = to;
   }

@@ -37,8 +37,6 @@ class Budget {
   bool isOutOfCells() const { return isOutOfCells_; }
 
  private:
-  [[nodiscard]] bool boundingBox(const Polygon& ring);
-
   std::uint64_t bytes_, steps_, cells_;
   bool isOutOfWork_ = false, isOutOfCells_ = false;
 };

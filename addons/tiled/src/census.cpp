@@ -15,24 +15,6 @@ namespace {
 constexpr std::size_t kMostValue = 32;  // bytes of a value that can be a word
 constexpr std::size_t kMostKnown = 64;  // rules that are counted; so a map of n bytes takes work in proportion to n
 
-/// Columns and rows of tiles that are not empty.
-struct TileBox {
-  std::int64_t left = 0, right = 0, top = 0, bottom = 0;
-  bool isEmpty = true;
-
-  void add(std::int64_t column, std::int64_t row) {
-    left = isEmpty ? column : std::min(left, column);
-    right = isEmpty ? column : std::max(right, column);
-    top = isEmpty ? row : std::min(top, row);
-    bottom = isEmpty ? row : std::max(bottom, row);
-    isEmpty = false;
-  }
-
-  std::uint64_t cells() const {
-    return isEmpty ? 0 : static_cast<std::uint64_t>((right - left + 1) * (bottom - top + 1));
-  }
-};
-
 /// The rule that takes tiles with a property; empty if it says nothing.
 std::pair<std::string, Saying> ruleOf(const std::string& name, const std::string& value) {
   if (name.find('=') != std::string::npos || !saysYes(value)) return {};
@@ -51,14 +33,16 @@ class Census {
   void take(const MapSource& map) {
     LayerNames names(options_);
     facts_.isLdtk = map.file->root().attribute(kLdtkAttribute);
-    box_ = {};
+    box_.reset();
     boxed_.clear();
     for (const Layer& layer : listLayers(*map.file, options_, map.place, names)) {
       if (map.file->failed()) return;
       if (layer.kind == LayerKind::tiles && layer.wanted) takeTiles(map, layer);
       if (layer.kind == LayerKind::objects && layer.isInReach) takeObjects(map, layer);
     }
-    for (const std::size_t at : boxed_) facts_.layers[at].cells += box_.cells();
+    if (!box_) return;
+    const std::int64_t columns = box_->max.x - box_->min.x + 1, rows = box_->max.y - box_->min.y + 1;
+    for (const std::size_t at : boxed_) facts_.layers[at].cells += static_cast<std::uint64_t>(columns * rows);
   }
 
   Facts finish() { return std::move(facts_); }
@@ -84,7 +68,8 @@ class Census {
     std::unordered_map<std::uint32_t, std::uint64_t> uses;
     readTiles(*map.file, layer, tilesLeft_, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
       ++uses[tileNumber(gid)];
-      box_.add(column, row);
+      const Point tile{column, row};
+      box_ = box_ ? boundingBox(std::array{box_->min, box_->max, tile}) : Box{tile, tile};
     });
     const auto side = [&](const char* name) { return layer.node.attribute(name).as_ullong(); };
     if (layer.node.child("data").child("chunk")) {
@@ -159,9 +144,7 @@ class Census {
     facts.tiles += uses;
     const Tileset* const tileset = map.tilesets.of(number);
     if (!tileset) return;
-    static const Tile kPlain;
-    const auto found = tileset->tiles.find(number - tileset->firstGid);
-    const Tile& tile = found == tileset->tiles.end() ? kPlain : found->second;
+    const Tile& tile = tileset->tile(number - tileset->firstGid);
     if (isLeftOut(tile, options_)) return;
     const KnownTile& all = known(tile);
     if (facts_.isLdtk && !all.isBare) {
@@ -198,8 +181,8 @@ class Census {
     LayerFacts& facts = facts_.layers[factsOf(layer)];
     const bool isSaid = facts.saying.says != Says::nothing;
     for (const auto node : layer.node.children("object")) {
-      const auto polyline = node.child("polyline");
-      const bool isLine = polyline && map.file->points(polyline, "points").size() > 0 && !isClosed(*map.file, polyline);
+      const std::vector<DoublePoint> points = map.file->points(node.child("polyline"), "points");
+      const bool isLine = !points.empty() && isOpen(points);
       facts.lines += isLine;
       if (isLine || node.child("point") || node.child("text")) continue;
       ++facts.objects;
@@ -226,16 +209,8 @@ class Census {
 
   static void takeFigure(const MapSource& map, LayerFacts& facts, std::uint32_t gid) {
     ++facts.figures;
-    const std::uint32_t number = tileNumber(gid);
-    const Tileset* const tileset = map.tilesets.of(number);
-    if (!tileset) return;
-    const auto tile = tileset->tiles.find(number - tileset->firstGid);
-    facts.bareFigures += tile == tileset->tiles.end() || tile->second.objects.empty();
-  }
-
-  static bool isClosed(const XmlFile& file, pugi::xml_node polyline) {
-    const std::vector<DoublePoint> points = file.points(polyline, "points");
-    return points.size() > 3 && points.front().x == points.back().x && points.front().y == points.back().y;
+    const Tileset* const tileset = map.tilesets.of(tileNumber(gid));
+    facts.bareFigures += tileset && tileset->tile(tileNumber(gid) - tileset->firstGid).objects.empty();
   }
 
   Options options_;
@@ -243,7 +218,7 @@ class Census {
   Facts facts_;
   std::map<std::pair<LayerKind, std::string>, std::size_t> known_;
   std::unordered_map<const Tile*, KnownTile> tiles_;
-  TileBox box_;                     // of all tile layers of one map
+  std::optional<Box> box_;          // of all tiles of one map, in columns and rows
   std::vector<std::size_t> boxed_;  // layers of one map that have no rectangle of their own
 };
 

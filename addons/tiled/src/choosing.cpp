@@ -1,6 +1,5 @@
 // What Options choose, and how a command says it; and which layers and values could be chosen.
 #include "evidence.h"
-#include "json.h"
 
 #include <algorithm>
 #include <utility>
@@ -110,11 +109,8 @@ namespace {
 
 /// How many tiles of a layer a choice takes.
 std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& options) {
-  const std::vector<std::string>& layers = options.layers;
-  const auto has = [&](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), layer.name) != names.end();
-  };
-  if ((!layers.empty() && !has(layers)) || has(options.leaveOut)) return 0;
+  const bool isChosen = options.layers.empty() || has(options.layers, layer.name);
+  if (!isChosen || has(options.leaveOut, layer.name)) return 0;
   if (options.solidWithoutShapes) return layer.tiles;
   std::uint64_t tiles = layer.shaped;
   for (const std::string& rule : options.solidIf) {
@@ -129,13 +125,10 @@ std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& 
 
 bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
   if (!options.objects) return options.layers.empty() && objects.saying.says != Says::nothing;
-  const auto isNamed = [&](const std::string& name) {
-    return std::find(options.objects->begin(), options.objects->end(), name) != options.objects->end();
-  };
-  const bool isByClass =
-      !isLdtk && objects.isMixed() &&
-      std::any_of(objects.classes.begin(), objects.classes.end(), [&](const auto& one) { return isNamed(one.first); });
-  return isByClass || isNamed(objects.name);
+  const bool isByClass = !isLdtk && objects.isMixed() &&
+                         std::any_of(objects.classes.begin(), objects.classes.end(),
+                                     [&](const auto& one) { return has(*options.objects, one.first); });
+  return isByClass || has(*options.objects, objects.name);
 }
 
 /// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
@@ -150,13 +143,8 @@ bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
 Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice) {
   Options more = choice.options;
   std::erase(more.leaveOut, layer.name);
-  if (more.layers.empty()) {
-    more.solidIf.push_back(kLayerProperty + ("=" + layer.name));
-  } else {
-    more.layers.push_back(layer.name);
-  }
-  return {"tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " + counted(layer.tiles, "tile") +
-              " are taken",
+  more.layers.empty() ? more.solidIf.push_back(kLayerProperty + ("=" + layer.name)) : more.layers.push_back(layer.name);
+  return {concat("tile layer ", layer.name, ", of which ", tiles, " of ", counted(layer.tiles, "tile"), " are taken"),
           std::move(more), "the same with all of tile layer " + layer.name};
 }
 

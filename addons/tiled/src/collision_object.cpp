@@ -14,15 +14,14 @@ using Kind = CollisionObject::Kind;
 
 constexpr std::int64_t kMostId = 0xFFFF'FFFF;
 
-/// Reads the vertices of a polygon, or of a polyline. A polyline that ends where it began is a polygon.
+/// Reads the vertices of a polygon, or of a polyline.
 void readPoints(const XmlFile& file, pugi::xml_node node, bool closed, CollisionObject& object) {
   std::vector<DoublePoint>& points = object.points;
   points = file.points(node, "points");
-  const auto same = [](DoublePoint a, DoublePoint b) { return a.x == b.x && a.y == b.y; };
-  const bool isOpen = !closed && (points.size() < 4 || !same(points.front(), points.back()));
-  object.kind = isOpen ? Kind::polyline : Kind::polygon;
-  if (!closed && !isOpen) points.pop_back();
-  if (!isOpen && points.size() < 3) return leaveOut(object, "the polygon has fewer than 3 vertices");
+  object.kind = !closed && isOpen(points) ? Kind::polyline : Kind::polygon;
+  if (!closed && object.kind == Kind::polygon) points.pop_back();
+  if (object.kind == Kind::polygon && points.size() < 3)
+    return leaveOut(object, "the polygon has fewer than 3 vertices");
   if (points.size() > kMaxObjectVertices) return leaveOut(object, "the polygon has more than 1024 vertices");
 }
 
@@ -110,6 +109,10 @@ void settlePolyline(CollisionObject& object, double thickness) {
 
 }  // namespace
 
+bool isOpen(const std::vector<DoublePoint>& points) {
+  return points.size() < 4 || points.front().x != points.back().x || points.front().y != points.back().y;
+}
+
 void leaveOut(CollisionObject& object, std::string reason) {
   object.kind = Kind::unsupported;
   object.unsupported = std::move(reason);
@@ -118,7 +121,9 @@ void leaveOut(CollisionObject& object, std::string reason) {
 CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates) {
   const std::string named = node.attribute("template").value();
   if (named.empty()) return readPlain(file, node, offset);
-  Template& origin = templates.of(file, named);
+  std::unique_ptr<Template>& known = templates[file.pathTo(named)];
+  if (!known) known = std::make_unique<Template>(file, named);
+  Template& origin = *known;
   const auto model = origin.file.root().child("object");
   if (origin.error || !model) {
     CollisionObject object;

@@ -9,29 +9,14 @@
 namespace lgs::tiled {
 
 struct Template {
-  Template(const XmlFile& by, const std::string& named, const FileReader& reader)
-      : file(by, named, reader, "template", error) {}
+  Template(const XmlFile& by, const std::string& named) : file(by, named, "template", error) {}
 
   std::optional<ImportError> error;  ///< why it or its tileset can not be read; this does not spoil the map
   XmlFile file;
 };
 
-/// The templates of an import, each read once.
-class Templates {
- public:
-  explicit Templates(const FileReader& reader) : reader_(reader) {}
-
-  /// The one that a file names.
-  Template& of(const XmlFile& file, const std::string& named) {
-    std::unique_ptr<Template>& known = templates_[file.pathTo(named)];
-    if (!known) known = std::make_unique<Template>(file, named, reader_);
-    return *known;
-  }
-
- private:
-  const FileReader& reader_;
-  std::map<std::string, std::unique_ptr<Template>> templates_;  // by path
-};
+/// The templates of a map, each read once, by path.
+using Templates = std::map<std::string, std::unique_ptr<Template>>;
 
 /// A shape in pixels, y down: from the upper left corner of a tile's image, or of the map.
 struct CollisionObject {
@@ -52,6 +37,9 @@ struct CollisionObject {
   bool oneWay = false;   ///< something says so, be it of the object or of what it belongs to
   double thickness = 0;  ///< pixels, of a polygon that was an open polyline
 };
+
+/// Whether a polyline does not end where it began; otherwise it is a polygon.
+bool isOpen(const std::vector<DoublePoint>& points);
 
 /// Reads an <object>, with what its template says. The offset is that of its <objectgroup>.
 CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates);

@@ -71,10 +71,6 @@ class Chooser {
     options_.leaveOut.insert(options_.leaveOut.end(), pictures_.begin(), pictures_.end());
   }
 
-  bool isPicture(const LayerFacts& layer) const {
-    return std::find(pictures_.begin(), pictures_.end(), layer.name) != pictures_.end();
-  }
-
   /// IntGrid layers are all taken. But if some are called collision, the others are for something else. Values that one
   /// goes through are left out, and so is a floor beside walls. Returns whether there is something to be chosen.
   bool addIntGrids() {
@@ -138,28 +134,27 @@ class Chooser {
     Layers shaped;
     std::uint64_t uses = 0;
     for (const LayerFacts& layer : facts_.layers) {
-      if (!isShaped(layer) || layer.isPassable || isPicture(layer) || facts_.isLdtk) continue;
+      if (!isShaped(layer) || layer.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
       shaped.push_back(&layer);
       uses += layer.shaped;
     }
     const Layers tiles = facts_.isLdtk ? Layers{} : saying(LayerKind::tiles, Says::collision);
     const std::string ofShapes = "the shapes of " + counted(uses, "tile") + " in " + listed(namesOf(shaped));
-    const bool isOneLayer = std::all_of(shaped.begin(), shaped.end(), [&](const LayerFacts* layer) {
-      return std::find(tiles.begin(), tiles.end(), layer) != tiles.end();
-    });
+    const bool isOneLayer =
+        std::all_of(shaped.begin(), shaped.end(), [&](const LayerFacts* layer) { return has(tiles, layer); });
     auto [rules, ofRules] = rulesOf(Says::collision, !shaped.empty());
     Options options = options_;
     std::string text = shaped.empty() ? "" : ofShapes;
-    const auto join = [&](const std::string& part) { text += (text.empty() || part.empty() ? "" : "; ") + part; };
-    join(ofRules);
+    join(text, ofRules);
     options.solidIf = rules;
     if (!tiles.empty() && rules.empty() && isOneLayer) {
       text = reasons(tiles);
       options = wholeLayers(tiles);
     } else {
       for (const LayerFacts* layer : tiles) options.solidIf.push_back(kLayerProperty + ("=" + layer->name));
-      if (!tiles.empty()) leaveOutSquares(options);
-      join(reasons(tiles));
+      for (const auto& [what, passable] : facts_.passable)
+        if (passable.areSquares && !tiles.empty()) options.leaveOut.push_back(what);
+      join(text, reasons(tiles));
     }
     addObjects(Says::collision, !shaped.empty() || !rules.empty(), options, text);
     if (text.empty()) return;
@@ -208,8 +203,8 @@ class Chooser {
       }
       names = namesOf(objects);
     }
-    if (!objects.empty()) text += (text.empty() ? "" : "; ") + reasons(objects);
-    if (!classes.empty()) text += (text.empty() ? "" : "; ") + ("objects that are called " + listed(classes));
+    join(text, reasons(objects));
+    if (!classes.empty()) join(text, "objects that are called " + listed(classes));
     names.insert(names.end(), classes.begin(), classes.end());
     if (names.empty()) return;
     const bool isDefault = options.layers.empty() && leaveChoice(options_) && names == namesOfSaying(facts_);
@@ -224,8 +219,7 @@ class Chooser {
       if (layer.saying.says != Says::nothing && !isMixed(layer)) continue;
       for (const auto& [name, said] : layer.classes) {
         if (says == Says::ground && !isDrawnGround(said)) continue;  // "Platform" may be a thing that moves
-        const bool isNew = std::find(classes.begin(), classes.end(), name) == classes.end();
-        if (said.says == says && isNew && classes.size() < kMostRules) classes.push_back(name);
+        if (said.says == says && !has(classes, name) && classes.size() < kMostRules) classes.push_back(name);
       }
     }
     return classes;
@@ -248,9 +242,9 @@ class Chooser {
     std::vector<std::string> rules, names;
     for (auto& [uses, rule] : found) {
       const RuleFacts& known = facts_.rules.at(rule);
-      const std::string tiles = known.uses == 0 ? "" : counted(known.uses, "tile");
-      const std::string both = tiles.empty() || known.objects == 0 ? "" : ", ";
-      names.push_back(rule + " (" + tiles + both + (known.objects == 0 ? "" : counted(known.objects, "object")) + ")");
+      std::string counts = known.uses == 0 ? "" : counted(known.uses, "tile");
+      if (known.objects > 0) join(counts, counted(known.objects, "object"), ", ");
+      names.push_back(rule + " (" + counts + ")");
       rules.push_back(std::move(rule));
     }
     return {std::move(rules), names.empty() ? "" : "what has a property: " + listed(names)};
@@ -295,12 +289,6 @@ class Chooser {
     for (const LayerFacts* layer : layers) {
       add(Evidence::tileLayer, wholeLayers({layer}),
           "tile layer " + layer->name + ", " + percent(layer->share()) + " of the map: nothing says what it is");
-    }
-  }
-
-  void leaveOutSquares(Options& options) const {
-    for (const auto& [what, passable] : facts_.passable) {
-      if (passable.areSquares) options.leaveOut.push_back(what);
     }
   }
 

@@ -12,11 +12,6 @@ inline bool isFull(const LayerFacts& layer) {
   return layer.share() >= (layer.saying.says == Says::collision ? 0.99 : 0.8);
 }
 
-/// "1 tile", "2 tiles"
-inline std::string counted(std::uint64_t n, const std::string& what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-
 /// The groups of evidence, the strongest first. Those of one group are taken together, and those of two never are.
 enum class Evidence : std::uint8_t {
   solid,        ///< shapes of tiles; layers, classes and properties that say collision

@@ -42,29 +42,30 @@ constexpr std::array kKnown{
     Known{Sign::json, "frames", "an atlas of sprites, and no map"},
 };
 
-template <class Fits>
-std::string known(Sign kind, Fits&& fits) {
+/// The message about a file that has one of the signs of a kind; "" if it has none.
+template <class Has>
+std::string messageOf(Sign kind, const Has& has) {
   for (const Known& one : kKnown)
-    if (one.kind == kind && fits(one.sign)) return std::string(one.what);
+    if (one.kind == kind && has(one.sign)) return isForeign(one.what);
   return {};
 }
 
 }  // namespace
 
 std::string foreignText(std::string_view text) {
-  return text.empty() ? "empty" : known(Sign::text, [&](std::string_view sign) { return text.starts_with(sign); });
+  return text.empty() ? isForeign("empty") : messageOf(Sign::text, [&](auto sign) { return text.starts_with(sign); });
 }
 
 std::string foreignXml(std::string_view rootName) {
-  return known(Sign::xml, [&](std::string_view sign) { return rootName == sign; });
+  return messageOf(Sign::xml, [&](auto sign) { return rootName == sign; });
 }
 
 std::string foreignJson(const Json& root) {
-  return known(Sign::json, [&](std::string_view sign) { return root.is_object() && root.contains(sign); });
+  return messageOf(Sign::json, [&](auto sign) { return root.is_object() && root.contains(sign); });
 }
 
-std::string isForeign(const std::string& what) {
-  return "is " + what + ". What is read: maps of Tiled (TMX or JSON), worlds of Tiled and projects of LDtk";
+std::string isForeign(std::string_view what) {
+  return concat("is ", what, ". What is read: maps of Tiled (TMX or JSON), worlds of Tiled and projects of LDtk");
 }
 
 }  // namespace lgs::tiled

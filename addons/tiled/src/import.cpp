@@ -20,26 +20,14 @@ std::string leftOutAsAsked(const Report& report) {
     if (tile.isLeftOut) uses[tile.className] += tile.uses;
   }
   std::string text;
-  for (const auto& [name, count] : uses) {
-    text += (text.empty() ? "left out, as asked: " : ", ") + std::to_string(count) + " uses of " + inQuotes(name);
-  }
-  return text;
+  for (const auto& [name, count] : uses) join(text, concat(count, " uses of ", inQuotes(name)), ", ");
+  return text.empty() ? text : "left out, as asked: " + text;
 }
 
 class Import {
  public:
-  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left,
-         std::optional<ImportError>& error)
-      : options_(options),
-        first_(file),
-        maps_(maps),
-        error_(error),
-        left_(left),
-        budget_(budget),
-        names_(options),
-        asked_(options),
-        blocks_(options),
-        placer_(budget) {
+  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left)
+      : options_(options), first_(file), maps_(maps), left_(left), budget_(budget) {
     map_.report.file = file.name();
   }
 
@@ -51,7 +39,7 @@ class Import {
     if (!failed()) names_.checkAll(first_);
     if (!failed()) placer_.finish(map_);
     if (!failed()) checkBudget(first_.root());
-    if (failed()) return tl::unexpected(*error_);
+    if (failed()) return tl::unexpected(*first_.error());
     finish();
     return std::move(map_);
   }
@@ -71,7 +59,7 @@ class Import {
     std::unordered_map<std::uint32_t, Ready> ready = {};  // by tile number with flags
   };
 
-  bool failed() const { return error_.has_value(); }
+  bool failed() const { return first_.failed(); }
   const XmlFile& file() const { return *source_->file; }
   void checkOptions();
   void readMap(MapSource& source);
@@ -89,13 +77,12 @@ class Import {
   const Options& options_;
   const XmlFile& first_;  // the map or the world
   const Maps& maps_;
-  std::optional<ImportError>& error_;
   Limits& left_;
   Budget& budget_;
-  LayerNames names_;
-  AskedNames asked_;
-  BlockNumbers blocks_;
-  Placer placer_;
+  LayerNames names_{options_};
+  AskedNames asked_{options_};
+  BlockNumbers blocks_{options_};
+  Placer placer_{budget_};
   ImportedMap map_;
   PixelGrid grid_;
   DoublePoint min_, max_;                                                                 // of the maps, in tiles
@@ -109,12 +96,11 @@ class Import {
 };
 
 void Import::checkOptions() {
-  if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
-    first_.fail({}, "the tolerance should be 0 or more", "tolerance");
-  }
-  if (!(options_.polylineThickness >= 0 && std::isfinite(options_.polylineThickness))) {
-    first_.fail({}, "the thickness of polylines should be 0 or more", "polylineThickness");
-  }
+  const auto check = [&](double value, const char* what, const char* option) {
+    if (!(value >= 0 && std::isfinite(value))) first_.fail({}, concat("the ", what, " should be 0 or more"), option);
+  };
+  check(options_.tolerance, "tolerance", "tolerance");
+  check(options_.polylineThickness, "thickness of polylines", "polylineThickness");
 }
 
 void Import::readMap(MapSource& source) {
@@ -220,8 +206,8 @@ void Import::readTileLayer(const Layer& layer, std::uint32_t index) {
                        propertiesOf(layer)};
   LayerReport& report = map_.report.layers[index];
   if (current.rest.x != 0 || current.rest.y != 0) {
-    report.note = "shifted by " + pixels(current.rest.x) + ", " + pixels(current.rest.y) +
-                  " against the grid: its polygons reach out of their cells";
+    report.note = concat("shifted by ", pixels(current.rest.x), ", ", pixels(current.rest.y),
+                         " against the grid: its polygons reach out of their cells");
   }
   readTiles(file(), layer, left_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
     ++report.tiles;
@@ -276,11 +262,10 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
   TileReport report;
   report.tileset = tileset.name;
   report.id = number - tileset.firstGid;
-  if (const auto tile = tileset.tiles.find(report.id); tile != tileset.tiles.end()) {
-    report.className = tile->second.className;
-    report.isLeftOut = isLeftOut(tile->second, options_);
-    report.hasShapes = !report.isLeftOut && !tile->second.objects.empty();
-  }
+  const Tile& tile = tileset.tile(report.id);
+  report.className = tile.className;
+  report.isLeftOut = isLeftOut(tile, options_);
+  report.hasShapes = !report.isLeftOut && !tile.objects.empty();
   std::vector<TileReport>& tiles = map_.report.tiles;
   const auto next = static_cast<std::uint32_t>(tiles.size());
   const auto [at, isFirst] = reports_.try_emplace({report.tileset, report.id, report.className}, next);
@@ -296,13 +281,12 @@ void Import::finish() {
   for (const auto& map : maps_) {
     for (const Tileset& tileset : map->tilesets.all()) {
       asked_.see(tileset);
-      if (report.partial.find(tileset.missing) == std::string::npos)
-        report.partial += (report.partial.empty() ? "" : "; ") + tileset.missing;
+      if (report.partial.find(tileset.missing) == std::string::npos) join(report.partial, tileset.missing);
     }
     for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
   }
   if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
-  if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
+  if (strayTiles_ > 0) report.notes.push_back(concat(strayTiles_, " tiles belong to no tileset of the map"));
   const auto sort = [](std::vector<Note>& notes) {
     std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
       return std::pair(a.kind, a.object) < std::pair(b.kind, b.object);
@@ -317,8 +301,8 @@ void Import::finish() {
 }  // namespace
 
 tl::expected<ImportedMap, ImportError> importMaps(const XmlFile& file, const Maps& maps, const Options& options,
-                                                  Budget& budget, Limits& left, std::optional<ImportError>& error) {
-  return Import(file, maps, options, budget, left, error).run();
+                                                  Budget& budget, Limits& left) {
+  return Import(file, maps, options, budget, left).run();
 }
 
 }  // namespace lgs::tiled

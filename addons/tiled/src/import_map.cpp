@@ -30,8 +30,6 @@ void forget(ImportedMap& map) {
   map.report.blocks.clear();
 }
 
-void join(std::string& list, const std::string& text) { list += (list.empty() ? "" : "; ") + text; }
-
 class WholeImport {
  public:
   WholeImport(const std::string& path, const Options& options, const FileReader& reader, const FolderLister& lister)
@@ -93,20 +91,18 @@ class WholeImport {
     const XmlFile& file = world_ ? *world_ : *maps_.front()->file;
     if (file.root().attribute(kLdtkAttribute)) settleLdtk(file, settled, notes);
     if (error_) return tl::unexpected(*error_);
-    Imported map = importMaps(file, maps_, settled, budget, left, error_);
+    Imported map = importMaps(file, maps_, settled, budget, left);
     if (map) map->report.notes.insert(map->report.notes.begin(), notes.begin(), notes.end());
     return map;
   }
 
   void tellChoice(Report& report) const {
     std::string words;
-    for (const std::string& argument : choosingArguments(taken_->options)) words += " " + shellWord(argument);
-    report.choice = taken_->text + (words.empty() ? "" : " (" + words.substr(1) + ")");
-    for (const auto& [what, passable] : facts_.passable) {
-      const std::vector<std::string>& names = taken_->options.leaveOut;
-      if (passable.areSquares && std::find(names.begin(), names.end(), what) == names.end()) continue;
-      report.leftOut += (report.leftOut.empty() ? "" : ", ") + what + " (" + std::to_string(passable.uses) + ")";
-    }
+    for (const std::string& argument : choosingArguments(taken_->options)) join(words, shellWord(argument), " ");
+    report.choice = taken_->text + (words.empty() ? "" : " (" + words + ")");
+    for (const auto& [what, passable] : facts_.passable)
+      if (!passable.areSquares || has(taken_->options.leaveOut, what))
+        join(report.leftOut, concat(what, " (", passable.uses, ")"), ", ");
   }
 
   /// Offers what options give, unless it is the same as what was taken or cannot be had. All that is tried shares what
@@ -185,7 +181,7 @@ void WholeImport::open() {
     world_ = std::move(file);
     openWorld();
   } else {
-    maps_.push_back(std::make_unique<MapSource>(std::move(file), MapPlace{}, options_, reader_, error_));
+    maps_.push_back(std::make_unique<MapSource>(std::move(file), MapPlace{}, options_));
   }
 }
 
@@ -204,7 +200,7 @@ tl::expected<std::string, std::string> WholeImport::read(const std::string& name
 
 /// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
 std::unique_ptr<const XmlFile> WholeImport::openMapOf(const WorldMap& entry) {
-  auto file = std::make_unique<const XmlFile>(*world_, entry.name, reader_, "map", error_);
+  auto file = std::make_unique<const XmlFile>(*world_, entry.name, "map", error_);
   if (error_ && !file->wasRead()) {  // the world is to blame for naming it
     std::string what = "the map's file " + error_->file + " " + error_->what;
     error_.reset();
@@ -232,7 +228,7 @@ void WholeImport::openWorld() {
     auto file = openMapOf(entry);
     if (!file) continue;
     const MapPlace place{std::filesystem::path(entry.name).replace_extension().generic_string(), entry.at};
-    maps_.push_back(std::make_unique<MapSource>(std::move(file), place, options_, reader_, error_));
+    maps_.push_back(std::make_unique<MapSource>(std::move(file), place, options_));
     if (error_) return;
     maps_.back()->entry = entry;
   }
@@ -241,18 +237,15 @@ void WholeImport::openWorld() {
 
 }  // namespace
 
-MapSource::MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const Options& options,
-                     const FileReader& ofFiles, std::optional<ImportError>& error)
-    : file(std::move(map)), place(std::move(where)), reader(ofFiles), templates(ofFiles) {
+MapSource::MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const Options& options)
+    : file(std::move(map)), place(std::move(where)) {
   const auto root = file->root();
   const std::string_view orientation = root.attribute("orientation").value();
-  if (!orientation.empty() && orientation != "orthogonal") {
-    file->fail(root,
-               "has the orientation" + file->quoted(" ", orientation) + ": only orthogonal maps have square cells");
-    return;
-  }
+  if (!orientation.empty() && orientation != "orthogonal")
+    file->fail(root, concat("has the orientation", file->quoted(" ", orientation),
+                            ": only orthogonal maps have square cells"));
   if (root.attribute(kLdtkAttribute)) checkGrids(*file, root);
-  if (!file->failed()) tilesets.read(*file, reader, templates, options.tiles, error);
+  if (!file->failed()) tilesets.read(*file, templates, options.tiles);
 }
 
 std::optional<Block> ImportedMap::block(const std::string& name) const {

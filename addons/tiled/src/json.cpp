@@ -9,85 +9,53 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr std::size_t kMaxJsonDepth = 512;
+constexpr int kMaxJsonDepth = 512;
 
-/// Receives the parts of a document one by one. (The parser that makes the values itself can not say where an error is,
-/// other than by an exception.)
-class JsonBuilder {
+/// Says what is wrong with a text and where, which the parser that makes the values says by an exception alone.
+class FaultFinder : public nlohmann::detail::json_sax_acceptor<Json> {
  public:
-  bool null() { return put(nullptr); }
-  bool boolean(bool value) { return put(value); }
-  bool number_integer(Json::number_integer_t value) { return put(value); }
-  bool number_unsigned(Json::number_unsigned_t value) { return put(value); }
-  bool number_float(Json::number_float_t value, const std::string&) { return put(value); }
-  bool string(std::string& value) { return put(std::move(value)); }
-  bool binary(Json::binary_t&) { return false; }  // only in other formats than text
-  bool start_object(std::size_t) { return open(Json::object()); }
-  bool start_array(std::size_t) { return open(Json::array()); }
-  bool key(std::string& name) {
-    key_ = std::move(name);
-    return true;
-  }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
+  FaultFinder(std::string_view text, bool mayQuote) : text_(text), mayQuote_(mayQuote) {}
+
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& exception) {
-    end = position;
-    const std::string_view all = exception.what();  // "[json.exception.parse_error.101] parse error at …: what"
-    const auto colon = all.find(": ");
-    what = all.substr(colon == std::string_view::npos ? all.find("] ") + 2 : colon + 2);
-    what = what.substr(0, what.find("; last read: "));  // a piece of the file, which need not be the map's
+    const std::string_view read = text_.substr(0, position);
+    fault.line = 1 + static_cast<std::size_t>(std::count(read.begin(), read.end(), '\n')) - read.ends_with('\n');
+    std::string_view what = exception.what();  // "[json.exception.parse_error.101] parse error at …: what"
+    const auto colon = what.find(": ");
+    what = what.substr(colon == std::string_view::npos ? what.find("] ") + 2 : colon + 2);
+    what = what.substr(0, what.find("; last read: "));  // a piece of the file
+    if (!mayQuote_) what = what.substr(0, what.find(" parsing '"));
+    fault.what = concat("is not well-formed JSON: ", what);
     return false;
   }
 
-  Json root;
-  std::string what;
-  std::size_t end = 0;  ///< how many bytes were read when it failed
-  bool isTooDeep = false;
+  JsonFault fault;
 
  private:
-  bool put(Json value) {
-    add(std::move(value));
-    return true;
-  }
-
-  Json* add(Json value) {
-    if (open_.empty()) return &(root = std::move(value));
-    Json& parent = *open_.back();
-    if (parent.is_object()) return &(parent[key_] = std::move(value));
-    parent.push_back(std::move(value));
-    return &parent.back();
-  }
-
-  bool open(Json value) {
-    isTooDeep = open_.size() == kMaxJsonDepth;
-    if (!isTooDeep) open_.push_back(add(std::move(value)));
-    return !isTooDeep;
-  }
-
-  bool close() {
-    open_.pop_back();
-    return true;
-  }
-
-  std::vector<Json*> open_;  // an array does not grow while one of its elements is open
-  std::string key_;
+  std::string_view text_;
+  bool mayQuote_;
 };
 
 const Json kNoJson;
 
 }  // namespace
 
-tl::expected<Json, JsonFault> parseJson(std::string_view text) {
-  JsonBuilder builder;
-  if (Json::sax_parse(text.begin(), text.end(), &builder)) return std::move(builder.root);
-  if (builder.isTooDeep) {
+tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote) {
+  bool isTooDeep = false;
+  Json root = Json::parse(
+      text.begin(), text.end(),
+      [&](int depth, Json::parse_event_t event, Json&) {
+        const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+        isTooDeep = isTooDeep || (opens && depth >= kMaxJsonDepth);
+        return !isTooDeep;
+      },
+      false);
+  if (isTooDeep)
     return tl::unexpected(
-        JsonFault{0, "has arrays and objects in each other, more than " + std::to_string(kMaxJsonDepth) + " deep"});
-  }
-  const std::string_view read = text.substr(0, builder.end);
-  const auto lines = std::count(read.begin(), read.end(), '\n') - (read.ends_with('\n') ? 1 : 0);
-  return tl::unexpected(
-      JsonFault{static_cast<std::size_t>(lines) + 1, "is not well-formed JSON: " + std::move(builder.what)});
+        JsonFault{0, concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep")});
+  if (!root.is_discarded()) return root;
+  FaultFinder finder(text, mayQuote);
+  Json::sax_parse(text.begin(), text.end(), &finder);
+  return tl::unexpected(std::move(finder.fault));
 }
 
 bool JsonPlace::is(const char* key) const {
@@ -96,7 +64,7 @@ bool JsonPlace::is(const char* key) const {
 }
 
 JsonPlace JsonPlace::operator[](const char* key) const {
-  JsonPlace result{&kNoJson, (path.empty() ? "" : path + "/") + key};
+  JsonPlace result{&kNoJson, concat(path, path.empty() ? "" : "/", key), file};
   if (!value->is_object()) return result;
   const auto found = value->find(key);
   if (found != value->end()) result.value = &*found;
@@ -114,41 +82,38 @@ std::string numberText(double value) {
   return Json(value).dump();  // the digits that give the same number again
 }
 
-std::optional<std::string> scalarText(const Json& value, const char* yes, const char* no) {
+std::optional<std::string> scalarText(const Json& value) {
   if (value.is_string()) return value.get_ref<const std::string&>();
-  if (value.is_boolean()) return value.get<bool>() ? yes : no;
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number_unsigned()) return std::to_string(value.get<std::uint64_t>());
   if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
   if (value.is_number_float()) return numberText(value.get<double>());
   return std::nullopt;
 }
 
-void JsonReading::fail(const JsonPlace& at, std::string what) const {
-  if (!failed()) error_ = ImportError{file_, 0, at.path, std::move(what)};
+void JsonPlace::fail(std::string what) const {
+  if (!failed()) file->error = ImportError{file->name, 0, path, std::move(what)};
 }
 
-std::vector<JsonPlace> JsonReading::elements(const JsonPlace& array) const {
+std::vector<JsonPlace> JsonPlace::elements() const {
   std::vector<JsonPlace> result;
-  if (array.isMissing()) return result;
-  if (!array.value->is_array()) {
-    fail(array, "should be an array");
-    return result;
-  }
-  for (const Json& value : *array.value) result.push_back({&value, array.path + "/" + std::to_string(result.size())});
+  if (!isMissing() && !value->is_array()) fail("should be an array");
+  if (!value->is_array()) return result;
+  for (const Json& one : *value) result.push_back({&one, concat(path, "/", result.size()), file});
   return result;
 }
 
-std::vector<JsonPlace> JsonReading::objects(const JsonPlace& array) const {
-  std::vector<JsonPlace> result = elements(array);
+std::vector<JsonPlace> JsonPlace::objects() const {
+  std::vector<JsonPlace> result = elements();
   for (const JsonPlace& element : result) {
-    if (!element.value->is_object()) fail(element, "should be an object");
+    if (!element.value->is_object()) element.fail("should be an object");
   }
   return failed() ? std::vector<JsonPlace>{} : result;
 }
 
-double JsonReading::number(const JsonPlace& at, std::optional<double> fallback) const {
-  if (at.value->is_number()) return at.value->get<double>();
-  if (!at.isMissing() || !fallback) fail(at, at.isMissing() ? "is missing" : "should be a number");
+double JsonPlace::number(std::optional<double> fallback) const {
+  if (value->is_number()) return value->get<double>();
+  if (!isMissing() || !fallback) fail(isMissing() ? "is missing" : "should be a number");
   return fallback.value_or(0);
 }
 
@@ -188,25 +153,23 @@ void addProperty(pugi::xml_node node, const std::string& name, const Json& value
   if (!list) list = node.append_child("properties");
   pugi::xml_node property = list.append_child("property");
   setAttribute(property, "name", name);
-  if (const auto text = scalarText(value, "true", "false")) setAttribute(property, "value", *text);
+  if (const auto text = scalarText(value)) setAttribute(property, "value", *text);
 }
 
-void readJson(const std::string& file, std::string_view text, const FileReader& reader, pugi::xml_document& document,
-              std::optional<ImportError>& error) {
-  const auto json = parseJson(text);
+void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& document) {
+  const auto json = parseJson(text, file.mayQuote);
   if (!json) {
-    error = ImportError{file, static_cast<int>(json.error().line), "", json.error().what};
+    file.error = ImportError{file.name, static_cast<int>(json.error().line), "", json.error().what};
     return;
   }
-  const JsonReading reading(file, error);
-  const JsonPlace root{&*json, ""};
-  if (isLdtkProject(root)) return readLdtk(reading, root, reader, document);
-  if (const std::string foreign = foreignJson(*json); !foreign.empty()) return reading.fail(root, isForeign(foreign));
+  const JsonPlace root{&*json, "", &file};
+  if (isLdtkProject(root)) return readLdtk(root, document);
+  if (const std::string foreign = foreignJson(*json); !foreign.empty()) return root.fail(foreign);
   const char* const kind = tiledKind(root);
   if (*kind == '\0') {
-    return reading.fail(root, "is JSON, but neither of Tiled (a map, tileset, template or world) nor an LDtk project");
+    return root.fail("is JSON, but neither of Tiled (a map, tileset, template or world) nor an LDtk project");
   }
-  readTiledJson(reading, root, kind, document);
+  readTiledJson(root, kind, document);
 }
 
 }  // namespace lgs::tiled

@@ -1,13 +1,9 @@
 // JSON values with the paths that lead to them, for messages: "layers/2/objects/0".
 #pragma once
 
-#include <lgs/tiled/import.h>
+#include "xml.h"
 
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <pugixml.hpp>
-#include <string>
-#include <string_view>
 
 namespace lgs::tiled {
 
@@ -22,14 +18,28 @@ struct JsonFault {
   std::string what;
 };
 
-/// Parses a text. Arrays and objects may be nested 512 deep, so that what goes through them may recurse.
-tl::expected<Json, JsonFault> parseJson(std::string_view text);
+/// Parses a text. Arrays and objects may be nested 512 deep, so that what goes through them may recurse. `mayQuote`:
+/// what is wrong may be quoted.
+tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote);
+
+/// A file of JSON that is read. The reader reads the files of LDtk's levels. The first problem of the import is kept;
+/// after it, all functions return defaults.
+struct JsonFile {
+  std::string name;
+  bool mayQuote;
+  const FileReader& reader;
+  std::optional<ImportError>& error;
+};
 
 /// A value in a document. Its functions take any kind of value, since nlohmann's own may end the program if the kind is
 /// another one than they expect.
 struct JsonPlace {
   const Json* value;
   std::string path;
+  const JsonFile* file;
+
+  bool failed() const { return file->error.has_value(); }
+  void fail(std::string what) const;
 
   bool isMissing() const { return value->is_null(); }
   bool is(const char* key) const;  ///< it has this key, with the value true
@@ -39,38 +49,19 @@ struct JsonPlace {
 
   /// The text of a key; "" if it has none.
   std::string text(const char* key) const;
-};
-
-/// A scalar as XML writes it: numbers in the fewest digits that mean the same, yes and no as `yes` and `no`. Nothing
-/// for null, arrays and objects.
-std::optional<std::string> scalarText(const Json& value, const char* yes, const char* no);
-
-/// A number in the fewest digits that mean the same.
-std::string numberText(double value);
-
-/// What reads one file of JSON. It keeps the first problem; after it, all functions return defaults.
-class JsonReading {
- public:
-  /// `error` is that of the import.
-  JsonReading(std::string file, std::optional<ImportError>& error) : file_(std::move(file)), error_(error) {}
-
-  const std::string& file() const { return file_; }
-  bool failed() const { return error_.has_value(); }
-  void fail(const JsonPlace& at, std::string what) const;
 
   /// The elements of an array. None if it is missing; if it is anything else, that is an error.
-  std::vector<JsonPlace> elements(const JsonPlace& array) const;
+  std::vector<JsonPlace> elements() const;
 
   /// The same, where each must be an object.
-  std::vector<JsonPlace> objects(const JsonPlace& array) const;
+  std::vector<JsonPlace> objects() const;
 
   /// A number; an error if it is anything else, or missing and there is no fallback.
-  double number(const JsonPlace& at, std::optional<double> fallback = std::nullopt) const;
-
- private:
-  std::string file_;
-  std::optional<ImportError>& error_;
+  double number(std::optional<double> fallback = std::nullopt) const;
 };
+
+/// A scalar as XML writes it: numbers in the fewest digits that mean the same. Nothing for null, arrays and objects.
+std::optional<std::string> scalarText(const Json& value);
 
 /// The attribute with the path to what an element was made of. No key of Tiled's has a colon.
 inline constexpr const char* kPathAttribute = "json:path";
@@ -85,24 +76,19 @@ void setNumbers(pugi::xml_node node, std::initializer_list<std::pair<const char*
 /// either.
 void addProperty(pugi::xml_node node, const std::string& name, const Json& value);
 
-/// Makes a Tiled map, tileset, template or world, or an LDtk project, of the text of a JSON file. `reader` reads the
-/// files of LDtk's levels. The first problem goes into `error`.
-void readJson(const std::string& file, std::string_view text, const FileReader& reader, pugi::xml_document& document,
-              std::optional<ImportError>& error);
+/// Makes a Tiled map, tileset, template or world, or an LDtk project, of the text of a file.
+void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& document);
 
 /// The same for a JSON value of Tiled's; `kind` is "map", "tileset", "template" or "world".
-void readTiledJson(const JsonReading& reading, const JsonPlace& root, const char* kind, pugi::xml_document& document);
+void readTiledJson(const JsonPlace& root, const char* kind, pugi::xml_document& document);
 
-/// What a file is that is neither XML nor JSON, such as "a Godot scene"; "" if it is not known.
+/// The message about a file of another kind, such as a Godot scene, by how it begins, by the name of its XML root, or
+/// by the keys of its JSON; "" if the kind is not known.
 std::string foreignText(std::string_view text);
-
-/// What a file is by the name of its XML root; "" if it is not known.
 std::string foreignXml(std::string_view rootName);
-
-/// What a JSON file is that is neither Tiled's nor an LDtk project; "" if it is not known.
 std::string foreignJson(const Json& root);
 
-/// The message about such a file.
-std::string isForeign(const std::string& what);
+/// The same of a kind in words.
+std::string isForeign(std::string_view what);
 
 }  // namespace lgs::tiled

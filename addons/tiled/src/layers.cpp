@@ -5,6 +5,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace lgs::tiled {
@@ -65,7 +66,7 @@ class Lister {
 
  private:
   static void extend(std::string& path, pugi::xml_node node) {
-    path += (path.empty() ? "" : "/") + std::string(node.attribute("name").value());
+    path += concat(path.empty() ? "" : "/", node.attribute("name").value());
   }
 
   bool scrollsApart(pugi::xml_node node) const {
@@ -88,18 +89,15 @@ class Lister {
       layer.wanted = layer.isInReach = false;
       layer.remark = "left out (--not)";
     }
-    const auto remark = [&](const char* text) {
-      layer.remark += (layer.remark.empty() ? "" : "; ") + std::string(text);
-    };
     layer.isInReach = layer.isInReach && !(self.hidden && options_.visibleOnly);
     if (layer.wanted && self.hidden && options_.visibleOnly) {
       layer.wanted = false;
       layer.remark = "hidden";
     } else if (self.hidden && kind != LayerKind::image) {
-      remark(layer.wanted ? "hidden (--visible leaves it out)" : "hidden");
+      join(layer.remark, layer.wanted ? "hidden (--visible leaves it out)" : "hidden");
     }
     if (layer.wanted && self.parallax) {
-      remark("scrolls at its own speed (parallax); imported where it stands in the editor");
+      join(layer.remark, "scrolls at its own speed (parallax); imported where it stands in the editor");
     }
     layers_.push_back(std::move(layer));
   }
@@ -152,24 +150,30 @@ struct TileRect {
   std::int64_t column = 0, row = 0, width = 0, height = 0;
 };
 
+/// Whether this is the name of a layer or group, or its path.
+bool isCalled(const Layer& layer, const std::string& name) {
+  return name == layer.path || name == layer.pathInMap || (layer.node && name == layer.node.attribute("name").value());
+}
+
 tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data, const TileRect& rect) {
   const auto count = static_cast<std::size_t>(rect.width * rect.height);
   const std::string_view encoding = data.attribute("encoding").value();
   if (encoding == "csv") return decodeCsv(rect.node.text().get(), count);
-  if (encoding == "base64") {
-    return decodeBase64(rect.node.text().get(), data.attribute("compression").value(), count);
-  }
+  const std::string_view compression = data.attribute("compression").value();
+  if (encoding == "base64" && !has(std::array<std::string_view, 4>{"", "zlib", "gzip", "zstd"}, compression))
+    return tl::unexpected(concat("has the unknown compression", file.quoted(" ", compression),
+                                 ": save the map with zlib, gzip, zstd or none"));
+  if (encoding == "base64") return decodeBase64(rect.node.text().get(), compression, count);
   if (!encoding.empty()) {
-    return tl::unexpected("has the unknown encoding" + file.quoted(" ", encoding) +
-                          ": save the map with csv or base64");
+    return tl::unexpected(
+        concat("has the unknown encoding", file.quoted(" ", encoding), ": save the map with csv or base64"));
   }
   Gids gids;
   for (const auto tile : rect.node.children("tile")) {
     gids.push_back(static_cast<std::uint32_t>(file.integer(tile, "gid", 0, 0, 0xFFFF'FFFF)));
   }
   if (gids.size() == count) return gids;
-  return tl::unexpected("holds " + std::to_string(gids.size()) + " <tile> elements where its size asks for " +
-                        std::to_string(count));
+  return tl::unexpected(concat("holds ", gids.size(), " <tile> elements where its size asks for ", count));
 }
 
 void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, std::size_t& budget,
@@ -196,40 +200,38 @@ Properties propertiesOf(const Layer& layer) {
 }
 
 LayerNames::LayerNames(const Options& options)
-    : tiles_{options.layers}, objects_{options.objects.value_or(std::vector<std::string>{})} {}
+    : tiles_(options.layers), objects_(options.objects.value_or(std::vector<std::string>{})) {}
 
-std::vector<std::size_t> LayerNames::List::fitting(const Layer& layer) const {
-  const std::string_view name = layer.node ? layer.node.attribute("name").value() : std::string_view(layer.path);
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name || names[i] == layer.path || names[i] == layer.pathInMap) result.push_back(i);
-  }
-  return result;
+LayerNames::List::List(const std::vector<std::string>& names) {
+  for (const std::string& name : names) asked.push_back({name});
 }
 
 bool LayerNames::List::fit(const Layer& layer) {
-  if (!names.empty()) known.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
-  const std::vector<std::size_t> all = fitting(layer);
-  for (const std::size_t i : all) found[i] = true;
-  return !all.empty();
+  if (!asked.empty()) known.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
+  bool fits = false;
+  for (Asked& one : asked) {
+    one.isFound = one.isFound || isCalled(layer, one.name);
+    fits = fits || isCalled(layer, one.name);
+  }
+  return fits;
 }
 
 bool LayerNames::List::fitName(const std::string& name) {
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at != names.end()) found[static_cast<std::size_t>(at - names.begin())] = true;
-  return at != names.end();
+  const auto at = std::find_if(asked.begin(), asked.end(), [&](const Asked& one) { return one.name == name; });
+  if (at != asked.end()) at->isFound = true;
+  return at != asked.end();
 }
 
 void LayerNames::List::see(const Layer& layer, const char* what) {
-  for (const std::size_t i : fitting(layer)) others[i] = what;
+  for (Asked& one : asked)
+    if (isCalled(layer, one.name)) one.other = what;
 }
 
 void LayerNames::List::checkAll(const XmlFile& file, const char* kind) const {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!found[i] && !others[i].empty()) file.fail({}, "'" + names[i] + "' is " + others[i] + shellWord(names[i]));
-    if (found[i]) continue;
-    file.fail(file.root(),
-              std::string("has no ") + kind + " layer or group '" + names[i] + "'" + thereAre(names[i], known));
+  for (const auto& [name, isFound, other] : asked) {
+    if (isFound) continue;
+    if (other) file.fail({}, concat("'", name, "' is ", other, shellWord(name)));
+    file.fail(file.root(), concat("has no ", kind, " layer or group '", name, "'", thereAre(name, known)));
   }
 }
 

@@ -67,21 +67,23 @@ class LayerNames {
   void checkAll(const XmlFile& file) const;
 
  private:
+  struct Asked {
+    std::string name;
+    bool isFound = false;
+    const char* other = nullptr;  // which other layer it is the name of
+  };
   struct List {
-    std::vector<std::string> names;
-    std::vector<bool> found = std::vector<bool>(names.size(), false);
-    std::vector<std::string> others = std::vector<std::string>(names.size());  // which other layer it is that of
-    std::set<std::string> known = {};  // the names of all layers and groups that were looked at, if any is asked for
-
-    std::vector<std::size_t> fitting(const Layer& layer) const;
+    explicit List(const std::vector<std::string>& names);
     bool fit(const Layer& layer);
     bool fitName(const std::string& name);
     void see(const Layer& layer, const char* what);
     void checkAll(const XmlFile& file, const char* kind) const;
+
+    std::vector<Asked> asked;
+    std::set<std::string> known;  // the names of all layers and groups that were looked at, if any is asked for
   };
 
-  List tiles_;
-  List objects_;
+  List tiles_, objects_;
 };
 
 /// All layers of a map in the map's order, with those that are passed over.

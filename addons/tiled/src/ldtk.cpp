@@ -20,13 +20,11 @@ struct IntGrid {
 
 class LdtkProject {
  public:
-  LdtkProject(const JsonReading& reading, const JsonPlace& root, const FileReader& reader, pugi::xml_node map)
-      : reading_(reading), root_(root), reader_(reader), map_(map), drawn_(reading, root) {}
+  LdtkProject(const JsonPlace& root, pugi::xml_node map) : root_(root), map_(map) {}
 
   void read() {
-    readDefinitions();
-    const std::vector<JsonPlace> worlds = reading_.objects(root_["worlds"]);
-    if (worlds.empty() && root_["levels"].isMissing()) reading_.fail(root_["levels"], "is missing");
+    const std::vector<JsonPlace> worlds = root_["worlds"].objects();
+    if (worlds.empty() && root_["levels"].isMissing()) root_["levels"].fail("is missing");
     if (worlds.empty()) readWorld(root_, map_);
     for (const JsonPlace& world : worlds) {
       readWorld(world, worlds.size() == 1 ? map_ : placeGroup(map_, world, {}));
@@ -37,7 +35,6 @@ class LdtkProject {
   }
 
  private:
-  void readDefinitions();
   void readWorld(const JsonPlace& world, pugi::xml_node to);
   void readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_node to);
   void readLayers(const JsonPlace& level, pugi::xml_node to);
@@ -51,47 +48,34 @@ class LdtkProject {
   pugi::xml_node placeGroup(pugi::xml_node parent, const JsonPlace& from, DoublePoint offset) const;
   pugi::xml_node addLayer(pugi::xml_node parent, const char* kind, const JsonPlace& from) const;
 
-  const JsonReading& reading_;
   const JsonPlace& root_;
-  const FileReader& reader_;
   pugi::xml_node map_;
-  std::map<double, IntGrid> intGrids_;            // by the number of their definition
-  std::map<double, JsonPlace> layerDefinitions_;  // likewise
-  std::map<double, bool> isEllipse_;              // entities, likewise
+  std::map<double, IntGrid> intGrids_;  // by the number of their definition
+  const Definitions layers_{root_, "layers"}, entities_{root_, "entities"};
   std::map<std::string, std::uint64_t> valueOf_;  // by name
-  DrawnLayers drawn_;
+  DrawnLayers drawn_{root_};
 };
-
-void LdtkProject::readDefinitions() {
-  for (const JsonPlace& layer : reading_.objects(root_["defs"]["layers"])) {
-    layerDefinitions_.emplace(reading_.number(layer["uid"], 0), layer);
-  }
-  for (const JsonPlace& entity : reading_.objects(root_["defs"]["entities"])) {
-    isEllipse_[reading_.number(entity["uid"], 0)] = entity.text("renderMode") == "Ellipse";
-  }
-}
 
 void LdtkProject::readWorld(const JsonPlace& world, pugi::xml_node to) {
   const std::string layout = world.text("worldLayout");
   const bool inRow = layout == "LinearHorizontal", inColumn = layout == "LinearVertical";
   if (!layout.empty() && !inRow && !inColumn && layout != "Free" && layout != "GridVania") {
-    return reading_.fail(world["worldLayout"], "is " + layout + ", which is not known");
+    return world["worldLayout"].fail("is " + layout + ", which is not known");
   }
   DoublePoint next, min, max;
   std::set<double> depths;
-  for (const JsonPlace& level : reading_.objects(world["levels"])) {
-    if (reading_.failed()) return;
+  for (const JsonPlace& level : world["levels"].objects()) {
+    if (root_.failed()) return;
     const bool linear = inRow || inColumn;
     const std::optional<double> fallback = linear ? std::nullopt : std::optional(0.0);
-    const DoublePoint size{reading_.number(level["pxWid"], fallback), reading_.number(level["pxHei"], fallback)};
-    const DoublePoint at =
-        linear ? next : DoublePoint{reading_.number(level["worldX"]), reading_.number(level["worldY"])};
+    const DoublePoint size{level["pxWid"].number(fallback), level["pxHei"].number(fallback)};
+    const DoublePoint at = linear ? next : DoublePoint{level["worldX"].number(), level["worldY"].number()};
     if (inRow) next.x += size.x;
     if (inColumn) next.y += size.y;
     min = depths.empty() ? at : DoublePoint{std::min(min.x, at.x), std::min(min.y, at.y)};
     const DoublePoint end{at.x + size.x, at.y + size.y};
     max = depths.empty() ? end : DoublePoint{std::max(max.x, end.x), std::max(max.y, end.y)};
-    depths.insert(reading_.number(level["worldDepth"], 0));
+    depths.insert(level["worldDepth"].number(0));
     readLevel(level, at, to);
   }
   if (depths.size() > 1) setAttribute(to, kLdtkDepthsAttribute, "1");
@@ -105,22 +89,22 @@ void LdtkProject::readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_no
   const std::string named = level.text("externalRelPath");
   if (!level["layerInstances"].isMissing() || named.empty()) return readLayers(level, group);
   const bool isLevel = named.ends_with(".ldtkl") || named.ends_with(".json");
-  if (!isLevel || named.starts_with('/')) return reading_.fail(level, "its file should be a .ldtkl in its project");
-  const std::string path = pathBeside(reading_.file(), named);
-  const auto text = reader_(path);
-  if (!text) return reading_.fail(level, "its file " + path + " cannot be read: " + text.error());
-  const auto json = parseJson(*text);
+  if (!isLevel || named.starts_with('/')) return level.fail("its file should be a .ldtkl in its project");
+  const std::string path = pathBeside(root_.file->name, named);
+  const auto text = root_.file->reader(path);
+  if (!text) return level.fail("its file " + path + " cannot be read: " + text.error());
+  const auto json = parseJson(*text, false);
   if (!json) {
-    const std::string line = json.error().line > 0 ? ":" + std::to_string(json.error().line) : "";
-    return reading_.fail(level, "its file " + path + line + " " + json.error().what);
+    const std::string line = json.error().line > 0 ? concat(":", json.error().line) : "";
+    return level.fail(concat("its file ", path, line, " ", json.error().what));
   }
-  readLayers({&*json, level.path + " (" + path + ")"}, group);
+  readLayers({&*json, concat(level.path, " (", path, ")"), level.file}, group);
 }
 
 /// LDtk lists the uppermost layer first, Tiled the lowest.
 void LdtkProject::readLayers(const JsonPlace& level, pugi::xml_node to) {
-  if (level["layerInstances"].isMissing()) return reading_.fail(level["layerInstances"], "is missing");
-  const std::vector<JsonPlace> layers = reading_.objects(level["layerInstances"]);
+  if (level["layerInstances"].isMissing()) return level["layerInstances"].fail("is missing");
+  const std::vector<JsonPlace> layers = level["layerInstances"].objects();
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
     const std::string type = layer->text("__type");
     if (type == "IntGrid") {
@@ -130,7 +114,7 @@ void LdtkProject::readLayers(const JsonPlace& level, pugi::xml_node to) {
     } else if (type == "Tiles" || type == "AutoLayer") {
       drawn_.read(*layer, addLayer(to, "layer", *layer));
     } else {
-      reading_.fail((*layer)["__type"], "should be IntGrid, Entities, Tiles or AutoLayer");
+      (*layer)["__type"].fail("should be IntGrid, Entities, Tiles or AutoLayer");
     }
   }
 }
@@ -138,52 +122,49 @@ void LdtkProject::readLayers(const JsonPlace& level, pugi::xml_node to) {
 void LdtkProject::readIntGrid(const JsonPlace& layer, pugi::xml_node to) {
   const JsonPlace csv = layer["intGridCsv"];
   if (!csv.value->is_array()) {
-    return reading_.fail(csv, "is missing: the project is of LDtk " + root_.text("jsonVersion") +
-                                  ", and should be saved with LDtk 1.0 or later");
+    return csv.fail("is missing: the project is of LDtk " + root_.text("jsonVersion") +
+                    ", and should be saved with LDtk 1.0 or later");
   }
   IntGrid* const grid = intGridOf(layer);
   if (!grid) return;
   const pugi::xml_node node = addLayer(to, "layer", layer);
   for (const auto& [name, key] :
        {std::pair(kLdtkGridAttribute, "__gridSize"), std::pair("width", "__cWid"), std::pair("height", "__cHei")})
-    setNumbers(node, {{name, reading_.number(layer[key])}});
+    setNumbers(node, {{name, layer[key].number()}});
   const pugi::xml_node data = addElement(node, "data", csv);
   setAttribute(data, "encoding", "csv");
   std::string list;
   std::uint64_t last = 0;
   for (const Json& value : *csv.value) {
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= kLdtkSetSize) {
-      return reading_.fail(csv, "should hold whole numbers from 0 to " + std::to_string(kLdtkSetSize - 1));
+      return csv.fail(concat("should hold whole numbers from 0 to ", kLdtkSetSize - 1));
     }
     const auto number = value.get<std::uint64_t>();
     if (number != last && number != 0) grid->values.try_emplace(number, "");
     last = number;
-    if (!list.empty()) list += ',';
-    list += std::to_string(number == 0 ? 0 : grid->firstGid + number);
+    list += concat(list.empty() ? "" : ",", number == 0 ? 0 : grid->firstGid + number);
   }
   data.text() = list.c_str();
 }
 
 IntGrid* LdtkProject::intGridOf(const JsonPlace& layer) {
-  const double uid = reading_.number(layer["layerDefUid"]);
+  const double uid = layer["layerDefUid"].number();
   const auto [at, isNew] = intGrids_.try_emplace(uid);
   IntGrid& grid = at->second;
   if (!isNew) return &grid;
   if (intGrids_.size() > kMaxLdtkSets) {
-    reading_.fail(layer, "is one IntGrid layer too many: there may be " + std::to_string(kMaxLdtkSets));
+    layer.fail(concat("is one IntGrid layer too many: there may be ", kMaxLdtkSets));
     return nullptr;
   }
   grid.firstGid = intGrids_.size() * kLdtkSetSize;
   grid.name = layer.text("__identifier");
   if (grid.name.size() > kMaxLayerName) {  // the names of its values may have it, each one anew
-    reading_.fail(layer["__identifier"], "should have at most " + std::to_string(kMaxLayerName) + " bytes");
+    layer["__identifier"].fail(concat("should have at most ", kMaxLayerName, " bytes"));
     return nullptr;
   }
-  grid.grid = reading_.number(layer["__gridSize"]);
-  const auto definition = layerDefinitions_.find(uid);
-  if (definition == layerDefinitions_.end()) return &grid;
-  for (const JsonPlace& value : reading_.objects(definition->second["intGridValues"])) {
-    const double number = reading_.number(value["value"], 0);
+  grid.grid = layer["__gridSize"].number();
+  for (const JsonPlace& value : layers_[uid]["intGridValues"].objects()) {
+    const double number = value["value"].number(0);
     if (number >= 1 && number < kLdtkSetSize)
       grid.values.emplace(static_cast<std::uint64_t>(number), value.text("identifier"));
   }
@@ -196,14 +177,14 @@ void LdtkProject::readEntities(const JsonPlace& layer, pugi::xml_node to) {
   setAttribute(group, "name", layer.text("__identifier"));
   std::map<std::string, pugi::xml_node> byKind;
   std::uint64_t count = 0;
-  for (const JsonPlace& entity : reading_.objects(layer["entityInstances"])) {
+  for (const JsonPlace& entity : layer["entityInstances"].objects()) {
     const std::string kind = entity.text("__identifier");
     pugi::xml_node& list = byKind[kind];
     if (!list) {
       list = addLayer(group, "objectgroup", layer);
       list.attribute("name") = kind.c_str();
       setAttribute(list, "class", layer.text("__identifier"));
-      for (const JsonPlace& tag : reading_.elements(entity["__tags"])) {
+      for (const JsonPlace& tag : entity["__tags"].elements()) {
         if (tag.value->is_string()) addProperty(list, tag.value->get_ref<const std::string&>(), true);
       }
     }
@@ -214,14 +195,13 @@ void LdtkProject::readEntities(const JsonPlace& layer, pugi::xml_node to) {
 }
 
 void LdtkProject::readEntity(const JsonPlace& entity, pugi::xml_node to) const {
-  const DoublePoint at = pair(entity["px"]), size{reading_.number(entity["width"]), reading_.number(entity["height"])};
+  const DoublePoint at = pair(entity["px"]), size{entity["width"].number(), entity["height"].number()};
   const DoublePoint pivot = entity["__pivot"].isMissing() ? DoublePoint{} : pair(entity["__pivot"]);
   setAttribute(to, "type", entity.text("__identifier"));
   setNumbers(to, {{"x", at.x - pivot.x * size.x}, {"y", at.y - pivot.y * size.y}});
   setNumbers(to, {{"width", size.x}, {"height", size.y}});
-  const auto shape = isEllipse_.find(reading_.number(entity["defUid"], 0));
-  if (shape != isEllipse_.end() && shape->second) to.append_child("ellipse");
-  for (const JsonPlace& field : reading_.objects(entity["fieldInstances"])) {
+  if (entities_[entity["defUid"].number(0)].text("renderMode") == "Ellipse") to.append_child("ellipse");
+  for (const JsonPlace& field : entity["fieldInstances"].objects()) {
     addProperty(to, field.text("__identifier"), *field["__value"].value);
   }
 }
@@ -253,9 +233,9 @@ std::string LdtkProject::nameOf(const IntGrid& grid, std::uint64_t value, const 
 }
 
 DoublePoint LdtkProject::pair(const JsonPlace& at) const {
-  const std::vector<JsonPlace> both = reading_.elements(at);
-  if (both.size() == 2) return {reading_.number(both[0]), reading_.number(both[1])};
-  reading_.fail(at, "should be two numbers");
+  const std::vector<JsonPlace> both = at.elements();
+  if (both.size() == 2) return {both[0].number(), both[1].number()};
+  at.fail("should be two numbers");
   return {};
 }
 
@@ -271,13 +251,11 @@ pugi::xml_node LdtkProject::placeGroup(pugi::xml_node parent, const JsonPlace& f
 pugi::xml_node LdtkProject::addLayer(pugi::xml_node parent, const char* kind, const JsonPlace& from) const {
   const pugi::xml_node node = addElement(parent, kind, from);
   setAttribute(node, "name", from.text("__identifier"));
-  const auto number = [&](const JsonPlace& at) { return reading_.number(at, 0); };
-  setNumbers(node, {{"offsetx", number(from["__pxTotalOffsetX"])}, {"offsety", number(from["__pxTotalOffsetY"])}});
+  setNumbers(node, {{"offsetx", from["__pxTotalOffsetX"].number(0)}, {"offsety", from["__pxTotalOffsetY"].number(0)}});
   if (!from["visible"].isMissing()) setAttribute(node, "visible", from.is("visible") ? "1" : "0");
-  const auto definition = layerDefinitions_.find(reading_.number(from["layerDefUid"], 0));
-  if (definition == layerDefinitions_.end()) return node;
-  setNumbers(node, {{"parallaxx", 1 - number(definition->second["parallaxFactorX"])},
-                    {"parallaxy", 1 - number(definition->second["parallaxFactorY"])}});
+  const JsonPlace& definition = layers_[from["layerDefUid"].number(0)];
+  setNumbers(node, {{"parallaxx", 1 - definition["parallaxFactorX"].number(0)},
+                    {"parallaxy", 1 - definition["parallaxFactorY"].number(0)}});
   return node;
 }
 
@@ -296,12 +274,11 @@ bool isLdtkProject(const JsonPlace& root) {
   return hasLevels && (root["__header__"].text("app") == "LDtk" || !root["jsonVersion"].isMissing());
 }
 
-void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReader& reader,
-              pugi::xml_document& document) {
+void readLdtk(const JsonPlace& root, pugi::xml_document& document) {
   const pugi::xml_node map = addElement(document.root(), "map", root);
   setAttribute(map, kLdtkAttribute, root.text("jsonVersion"));
-  setNumbers(map, {{kLdtkGridAttribute, reading.number(root["defaultGridSize"], 16)}});
-  LdtkProject(reading, root, reader, map).read();
+  setNumbers(map, {{kLdtkGridAttribute, root["defaultGridSize"].number(16)}});
+  LdtkProject(root, map).read();
 }
 
 }  // namespace lgs::tiled

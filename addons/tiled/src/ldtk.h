@@ -4,7 +4,6 @@
 #pragma once
 
 #include "json.h"
-#include "xml.h"
 
 #include <map>
 #include <set>
@@ -27,8 +26,7 @@ pugi::xml_node addTileset(pugi::xml_node map, const std::string& name, std::uint
 
 bool isLdtkProject(const JsonPlace& root);
 
-void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReader& reader,
-              pugi::xml_document& document);
+void readLdtk(const JsonPlace& root, pugi::xml_document& document);
 
 /// An IntGrid layer whose cells have no size is an error.
 void checkGrids(const XmlFile& file, pugi::xml_node parent);
@@ -42,9 +40,27 @@ inline constexpr std::uint64_t kLdtkSetSize = 1 << 20;  ///< how many tile numbe
 inline constexpr std::uint64_t kMaxLdtkSets = 0x7F;  ///< of IntGrid layers, and as many of drawn ones; above them are
                                                      ///< the flags of tile numbers
 
+/// What a project says of its layers, entities or tilesets, for all levels.
+class Definitions {
+ public:
+  Definitions(const JsonPlace& root, const char* kind) : none_(root["defs"][kind][""]) {
+    for (const JsonPlace& one : root["defs"][kind].objects()) byNumber_.emplace(one["uid"].number(0), one);
+  }
+
+  /// The one with a number, which a layer or entity names; null if there is none.
+  const JsonPlace& operator[](double number) const {
+    const auto found = byNumber_.find(number);
+    return found == byNumber_.end() ? none_ : found->second;
+  }
+
+ private:
+  std::map<double, JsonPlace> byNumber_;
+  JsonPlace none_;
+};
+
 class DrawnLayers {
  public:
-  DrawnLayers(const JsonReading& reading, const JsonPlace& root);
+  explicit DrawnLayers(const JsonPlace& root) : tilesets_(root, "tilesets") {}
 
   /// Gives a layer of the document the tiles of a layer of the project.
   void read(const JsonPlace& layer, pugi::xml_node to);
@@ -64,8 +80,7 @@ class DrawnLayers {
   Set* setOf(const JsonPlace& layer);
   void writeTiles(pugi::xml_node to, const Set& set) const;
 
-  const JsonReading& reading_;
-  std::map<double, JsonPlace> tilesets_;           // by the number of their definition
+  Definitions tilesets_;
   std::map<std::pair<double, double>, Set> sets_;  // by the numbers of layer and tileset
 };
 

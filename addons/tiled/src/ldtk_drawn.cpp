@@ -8,19 +8,13 @@
 
 namespace lgs::tiled {
 
-DrawnLayers::DrawnLayers(const JsonReading& reading, const JsonPlace& root) : reading_(reading) {
-  for (const JsonPlace& tileset : reading.objects(root["defs"]["tilesets"])) {
-    tilesets_.emplace(reading.number(tileset["uid"], 0), tileset);
-  }
-}
-
 DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
-  const double tileset = reading_.number(layer["__tilesetDefUid"], 0);
-  const auto [at, isNew] = sets_.try_emplace({reading_.number(layer["layerDefUid"], 0), tileset});
+  const double tileset = layer["__tilesetDefUid"].number(0);
+  const auto [at, isNew] = sets_.try_emplace({layer["layerDefUid"].number(0), tileset});
   if (isNew) {
     at->second = {(kMaxLdtkSets + sets_.size()) * kLdtkSetSize,
                   layer.text("__identifier"),
-                  reading_.number(layer["__gridSize"], 0),
+                  layer["__gridSize"].number(0),
                   tileset,
                   {}};
   }
@@ -31,31 +25,29 @@ DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
 
 /// A layer that cannot be solid says why, for whoever asks.
 void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
-  const double side = reading_.number(layer["__gridSize"], 0);
+  const double side = layer["__gridSize"].number(0);
   setAttribute(to, kDrawnAttribute, "1");
   setNumbers(to, {{kLdtkGridAttribute, side}, {"width", 0}, {"height", 0}});  // each tile is a chunk: some share a cell
   Set* const set = setOf(layer);
   if (!set) return setAttribute(to, kLdtkNotSolidAttribute, "is one layer of tiles too many to be solid");
-  const auto tileset = tilesets_.find(set->tileset);
-  const double tileSide = tileset == tilesets_.end() ? side : reading_.number(tileset->second["tileGridSize"], side);
+  const double tileSide = tilesets_[set->tileset]["tileGridSize"].number(side);
   if (tileSide != side) {
     setAttribute(to, kLdtkNotSolidAttribute,
-                 "has tiles of " + numberText(tileSide) + " px on a grid of " + numberText(side) +
-                     " px. Only tiles as large as the grid can be solid");
+                 concat("has tiles of ", numberText(tileSide), " px on a grid of ", numberText(side),
+                        " px. Only tiles as large as the grid can be solid"));
   }
   const pugi::xml_node data = addElement(to, "data", layer);
   setAttribute(data, "encoding", "csv");
   std::set<std::tuple<double, double, double>> known;
   std::uint64_t astray = 0;
   for (const char* list : {"gridTiles", "autoLayerTiles"}) {
-    for (const JsonPlace& tile : reading_.objects(layer[list])) {
-      const std::vector<JsonPlace> px = reading_.elements(tile["px"]);
-      const double id = reading_.number(tile["t"]);
+    for (const JsonPlace& tile : layer[list].objects()) {
+      const std::vector<JsonPlace> px = tile["px"].elements();
+      const double id = tile["t"].number();
       if (px.size() != 2 || !(id >= 0 && id < kLdtkSetSize && id == std::floor(id))) {
-        return reading_.fail(
-            tile, "should have two numbers 'px', and a tile 't' from 0 to " + std::to_string(kLdtkSetSize - 1));
+        return tile.fail(concat("should have two numbers 'px', and a tile 't' from 0 to ", kLdtkSetSize - 1));
       }
-      const double column = reading_.number(px[0]) / side, row = reading_.number(px[1]) / side;
+      const double column = px[0].number() / side, row = px[1].number() / side;
       if (column != std::floor(column) || row != std::floor(row)) {
         ++astray;
       } else if (known.insert({column, row, id}).second) {
@@ -67,7 +59,7 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
       }
     }
   }
-  if (astray > 0) setAttribute(to, kRemarkAttribute, std::to_string(astray) + " tiles beside the grid are left out");
+  if (astray > 0) setAttribute(to, kRemarkAttribute, concat(astray, " tiles beside the grid are left out"));
 }
 
 void DrawnLayers::writeTilesets(pugi::xml_node map, const std::map<std::string, std::uint64_t>& names) const {
@@ -88,11 +80,9 @@ void DrawnLayers::writeTiles(pugi::xml_node to, const Set& set) const {
     setAttribute(tile, "id", std::to_string(id));
     setAttribute(tile, "class", to.attribute(kLdtkDrawnAttribute).value());
   }
-  const auto tileset = tilesets_.find(set.tileset);
-  if (tileset == tilesets_.end()) return;
-  for (const JsonPlace& tag : reading_.objects(tileset->second["enumTags"])) {
-    for (const JsonPlace& id : reading_.elements(tag["tileIds"])) {
-      const double number = reading_.number(id);
+  for (const JsonPlace& tag : tilesets_[set.tileset]["enumTags"].objects()) {
+    for (const JsonPlace& id : tag["tileIds"].elements()) {
+      const double number = id.number();
       const auto tile =
           tiles.find(number >= 0 && number < kLdtkSetSize ? static_cast<std::uint64_t>(number) : kLdtkSetSize);
       if (tile != tiles.end()) addProperty(tile->second, tag.text("enumValueId"), true);

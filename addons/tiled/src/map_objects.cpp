@@ -22,7 +22,7 @@ const Tileset* tilesetOf(const CollisionObject& object, MapSource& source, const
   const auto node = origin->file.root().child("tileset");
   const auto [at, isNew] = source.tilesetsOfTemplates.try_emplace(origin);
   if (isNew && node) {
-    at->second = readTileset(origin->file, node, source.reader, source.templates, origin->error);
+    at->second = readTileset(origin->file, node, source.templates);
     reshape(at->second, options.tiles);
   }
   return node ? &at->second : nullptr;

@@ -23,14 +23,12 @@ std::vector<WorldMap> mapsOf(const XmlFile& file, const FolderLister& lister, st
 
 /// A map that was read, with its tilesets and templates.
 struct MapSource {
-  /// Reads the tilesets. The first problem goes into `error`, which is that of the file, as it is for all that follows.
-  MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const Options& options, const FileReader& reader,
-            std::optional<ImportError>& error);
+  /// Reads the tilesets. The first problem goes into the file, as it does in all that follows.
+  MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const Options& options);
 
   std::unique_ptr<const XmlFile> file;
   MapPlace place;
   WorldMap entry = {};  ///< of a world, which names it
-  const FileReader& reader;
   Templates templates;
   Tilesets tilesets;
   std::map<Template*, Tileset> tilesetsOfTemplates;  ///< those that were needed
@@ -45,8 +43,8 @@ struct Limits {
   std::size_t tiles, placements;
 };
 
-/// Imports maps, and puts them together. `file` is the world or the map; `error` is that of all files.
+/// Imports maps, and puts them together. `file` is the world or the map.
 tl::expected<ImportedMap, ImportError> importMaps(const XmlFile& file, const Maps& maps, const Options& options,
-                                                  Budget& budget, Limits& left, std::optional<ImportError>& error);
+                                                  Budget& budget, Limits& left);
 
 }  // namespace lgs::tiled

@@ -25,8 +25,8 @@ class Noter {
   void noteSnapping(const Snapped& snapped) const {
     if (object_.kind == Kind::ellipse || object_.kind == Kind::capsule) {
       note(NoteKind::approximated, 0,
-           std::string(object_.kind == Kind::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
-               std::to_string(kCurveVertices) + " vertices");
+           concat(object_.kind == Kind::ellipse ? "an ellipse" : "a capsule", " became a polygon of ", kCurveVertices,
+                  " vertices"));
     }
     if (object_.thickness > 0) {
       note(NoteKind::approximated, 0, "a one-way polyline became a polygon, " + pixels(object_.thickness) + " thick");
@@ -34,17 +34,16 @@ class Noter {
     if (object_.hidden) note(NoteKind::hidden, 0, "is hidden, and counts all the same; --visible leaves it out");
     if (snapped.takenBack) {
       note(NoteKind::takenBack, snapped.furthest,
-           "stays as drawn: snapping by up to " + pixels(snapped.furthest) +
-               " would press sides of it together. A smaller --tolerance may snap the rest");
+           concat("stays as drawn: snapping by up to ", pixels(snapped.furthest),
+                  " would press sides of it together. A smaller --tolerance may snap the rest"));
     } else if (snapped.moved > 0) {
       note(NoteKind::snapped, snapped.furthest,
-           std::to_string(snapped.moved) + (snapped.moved == 1 ? " coordinate" : " coordinates") +
-               " put on the grid, by up to " + pixels(snapped.furthest));
+           counted(snapped.moved, "coordinate") + " put on the grid, by up to " + pixels(snapped.furthest));
     }
     if (snapped.nearMiss > 0) {
       note(NoteKind::nearMiss, snapped.nearMiss,
-           "a vertex misses a corner by " + pixels(snapped.nearMiss) + ": a tolerance of " +
-               pixels(std::ceil(snapped.nearMiss * 10) / 10) + " would join it");
+           concat("a vertex misses a corner by ", pixels(snapped.nearMiss), ": a tolerance of ",
+                  pixels(std::ceil(snapped.nearMiss * 10) / 10), " would join it"));
     }
   }
 
@@ -74,14 +73,13 @@ void cutObject(const CollisionObject& object, const std::vector<DoublePoint>& ou
   if (!budget.shape(outline.size())) return;
   Snapped snapped = snap(outline, grid, most);
   if (snapped.tooFar) {
-    return noter.leaveOut(most > kMaxReach
-                              ? "it is too far away"
-                              : "it reaches more than " + std::to_string(kMaxReach) + " cells out of its cell");
+    return noter.leaveOut(most > kMaxReach ? "it is too far away"
+                                           : concat("it reaches more than ", kMaxReach, " cells out of its cell"));
   }
   constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
   const Box box = boundingBox(snapped.ring);
   if (box.max.x - box.min.x > kExtent || box.max.y - box.min.y > kExtent) {
-    return noter.leaveOut("it is more than " + std::to_string(kMaxRegionCells) + " cells wide or high");
+    return noter.leaveOut(concat("it is more than ", kMaxRegionCells, " cells wide or high"));
   }
   takeBackCollapse(snapped);
   noter.noteSnapping(snapped);
@@ -112,20 +110,14 @@ TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& 
     if (out == 0) continue;
     Noter(object, result.notes)
         .note(carries ? NoteKind::carried : NoteKind::clipped, out,
-              "reaches up to " + pixels(out) +
-                  " out of its cell: " + (carries ? "carried into the neighbouring cells" : "cut off"));
+              concat("reaches up to ", pixels(out),
+                     " out of its cell: ", carries ? "carried into the neighbouring cells" : "cut off"));
   }
   return result;
 }
 
 std::string pixels(double value) {
-  const auto hundredths = std::llround(std::fmin(value, 1e9) * 100);
-  std::string result = std::to_string(hundredths / 100);
-  if (const auto rest = hundredths % 100; rest != 0) {
-    result += rest < 10 ? ".0" : ".";
-    result += std::to_string(rest % 10 == 0 ? rest / 10 : rest);
-  }
-  return result + " px";
+  return numberText(static_cast<double>(std::llround(std::fmin(value, 1e9) * 100)) / 100) + " px";
 }
 
 }  // namespace lgs::tiled

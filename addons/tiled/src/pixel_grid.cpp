@@ -59,7 +59,7 @@ Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, dou
     const Snap x = snapOne(p.x, grid.tile.x, grid.tolerance.x), y = snapOne(p.y, grid.tile.y, grid.tolerance.y);
     result.ring.push_back({x.value, y.value});
     result.drawn.push_back({x.drawn, y.drawn});
-    result.moved += (x.moved > kNoise) + (y.moved > kNoise);
+    result.moved += unsigned{x.moved > kNoise} + unsigned{y.moved > kNoise};
     result.furthest = std::max({result.furthest, x.moved, y.moved});
     if (isNear(x.miss, y.miss))
       misses.push_back({{nearestLine(x.drawn), nearestLine(y.drawn)}, std::fmax(x.miss, y.miss)});

@@ -20,7 +20,7 @@ struct Snapped {
   Polygon drawn;           ///< the ring as it would be without snapping, vertex by vertex
   bool tooFar = false;     ///< a vertex is too far away; then the rings are empty
   bool takenBack = false;  ///< snapping would have collapsed the ring, so it stays as drawn
-  int moved = 0;           ///< how many coordinates snapped to the grid, or would have
+  unsigned moved = 0;      ///< how many coordinates snapped to the grid, or would have
   double furthest = 0;     ///< pixels that one of them moved, or would have
   double nearMiss = 0;     ///< pixels by which a vertex on a grid line misses a corner; 0 if it is too far from one
 };

@@ -16,30 +16,12 @@ constexpr std::string_view kTooMany = "the cell holds as many polygons or vertic
 /// Twice an area. What is left of a polygon and is smaller is dropped: across a cell it would be 4 lattice units wide.
 constexpr std::int64_t kSliver = 8 * std::int64_t{kUnitsPerCell};
 
-std::uint32_t asId(std::size_t size) { return static_cast<std::uint32_t>(size); }
-
 }  // namespace
-
-Placer::Placer(Budget& budget) : budget_(budget), contents_(1), contentIds_{{{}, 0}} {}
 
 std::uint32_t Placer::shape(const Polygon& ring) {
   Polygon canonical = ring;
   std::rotate(canonical.begin(), std::min_element(canonical.begin(), canonical.end()), canonical.end());
-  const auto [at, isNew] = shapeIds_.emplace(std::move(canonical), asId(shapes_.size()));
-  if (isNew) shapes_.push_back(at->first);
-  return at->second;
-}
-
-Placer::EntryId Placer::entry(const Entry& entry) {
-  const auto [at, isNew] = entryIds_.emplace(entry, asId(entries_.size()));
-  if (isNew) entries_.push_back(entry);
-  return at->second;
-}
-
-Placer::ContentId Placer::content(Content content) {
-  const auto [at, isNew] = contentIds_.emplace(std::move(content), asId(contents_.size()));
-  if (isNew) contents_.push_back(at->first);
-  return at->second;
+  return shapes_.of(std::move(canonical));
 }
 
 Placer::Step Placer::step(ContentId from, EntryId entry) {
@@ -51,53 +33,46 @@ Placer::Step Placer::step(ContentId from, EntryId entry) {
   return made;
 }
 
-/// Works out what a content becomes.
+/// Works out what a content becomes. What it costs to compare a ring with all that is in a cell, and to keep what comes
+/// of it, is taken first.
 Placer::Step Placer::work(const Content& content, EntryId entry) {
-  const Polygon ring = shapes_[entries_[entry].shape];
-  if (!hasWorkFor(content, ring)) return {this->content(content)};
-  bool isApart = true;
-  std::size_t crossed = 0;
-  for (const EntryId other : content) {
-    const Polygon& there = shapes_[entries_[other].shape];
-    const Relation now = relation(ring, there);
-    if (now == Relation::inside) return {this->content(content), kTrimmed};  // as under solid ground: nothing is left
-    if (now == Relation::apart) continue;
-    isApart = false;
-    crossed += crossings(ring, there, kMaxCrossings);
-  }
-  if (crossed > kMaxCrossings) return {this->content(content), kTangled};  // a brush could take minutes
-  if (!isApart) return paint(content, entry);
-  if (!fits(content, ring)) return {this->content(content), kTooMany};
-  Content grown = content;
-  grown.push_back(entry);
-  return {this->content(std::move(grown))};
-}
-
-/// Takes what it costs to compare a ring with all that is in a cell, and to keep what comes of it.
-bool Placer::hasWorkFor(const Content& content, const Polygon& ring) {
+  const Polygon& ring = ringOf(entry);
+  std::size_t vertices = ring.size(), crossed = 0;
   std::uint64_t steps = 1'000;
   for (const EntryId other : content) {
-    const std::uint64_t both = ring.size() + shapes_[entries_[other].shape].size();
+    const std::uint64_t both = ring.size() + ringOf(other).size();
     steps += 100 + both * both;
+    vertices += ringOf(other).size();
   }
-  return budget_.work(steps);
+  const auto stays = [&](std::string_view note) { return Step{contents_.of(content), note}; };
+  if (!budget_.work(steps)) return stays({});
+  bool isApart = true;
+  for (const EntryId other : content) {
+    const Relation now = relation(ring, ringOf(other));
+    if (now == Relation::inside) return stays(kTrimmed);  // as under solid ground: nothing is left
+    if (now == Relation::apart) continue;
+    isApart = false;
+    crossed += crossings(ring, ringOf(other), kMaxCrossings);
+  }
+  if (crossed > kMaxCrossings) return stays(kTangled);  // a brush could take minutes
+  if (!isApart) return budget_.strokeInCell(vertices) ? paint(content, entry) : stays({});
+  if (content.size() == kMaxPolygonsPerCell || vertices > kMaxVerticesPerCell) return stays(kTooMany);
+  Content grown = content;
+  grown.push_back(entry);
+  return {contents_.of(std::move(grown))};
 }
 
 /// The same where the entry's polygon lies on others: a brush fills what they leave free. Where outlines cross they get
 /// a common vertex, so the others can bend, by less than a lattice unit.
 Placer::Step Placer::paint(const Content& content, EntryId entry) {
   constexpr Cell kHere{};
-  std::size_t vertices = shapes_[entries_[entry].shape].size();
-  for (const EntryId other : content) vertices += shapes_[entries_[other].shape].size();
-  if (!budget_.strokeInCell(vertices)) return {this->content(content)};
   if (painted_++ % 1'024 == 0) cell_ = World();  // it keeps all that it has seen
   static_cast<void>(cell_.clear(kHere));
-  for (std::size_t k = 0; k < content.size(); ++k) {
-    static_cast<void>(cell_.add(kHere, localRing(shapes_[entries_[content[k]].shape]), static_cast<Block>(k)));
-  }
+  for (std::size_t k = 0; k < content.size(); ++k)
+    static_cast<void>(cell_.add(kHere, localRing(ringOf(content[k])), static_cast<Block>(k)));
   const auto last = static_cast<Block>(content.size());
-  const auto painted = lgs::paint(cell_, {{shapes_[entries_[entry].shape]}}, last, PaintMode::fill);
-  Step result{this->content(content), painted ? kTrimmed : kTooMany};
+  const auto painted = lgs::paint(cell_, {{ringOf(entry)}}, last, PaintMode::fill);
+  Step result{contents_.of(content), painted ? kTrimmed : kTooMany};
   if (!painted) return result;
   Content grown;
   bool isNew = false;
@@ -105,19 +80,13 @@ Placer::Step Placer::paint(const Content& content, EntryId entry) {
     for (const PlacedPolygon& polygon : cell_.polygons(kHere)) {
       if (polygon.block != block || (block == last && detail::doubleArea(polygon.vertices) <= kSliver)) continue;
       Entry part = entries_[block == last ? entry : content[block]];
-      part.shape = shape(ringOf(polygon.vertices));
+      part.shape = shape(tiled::ringOf(polygon.vertices));
       grown.push_back(this->entry(part));
       isNew |= block == last;
     }
   }
-  if (isNew) result.to = this->content(std::move(grown));
+  if (isNew) result.to = contents_.of(std::move(grown));
   return result;
-}
-
-bool Placer::fits(const Content& content, const Polygon& ring) const {
-  std::size_t vertices = ring.size();
-  for (const EntryId other : content) vertices += shapes_[entries_[other].shape].size();
-  return content.size() < kMaxPolygonsPerCell && vertices <= kMaxVerticesPerCell;
 }
 
 void Placer::count(EntryId entry, Cell cell, std::string_view text) {
@@ -130,8 +99,7 @@ void Placer::count(EntryId entry, Cell cell, std::string_view text) {
 
 void Placer::finish(ImportedMap& map) {
   Report& report = map.report;
-  constexpr std::uint32_t kUnused = ~std::uint32_t{0};
-  std::vector<std::uint32_t> number;
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers;  // of shapes in the map
   std::stable_sort(placed_.begin(), placed_.end(), [](const auto& a, const auto& b) {
     return std::tie(a.first.j, a.first.i) < std::tie(b.first.j, b.first.i);
   });
@@ -146,12 +114,9 @@ void Placer::finish(ImportedMap& map) {
     report.cells += content != 0;
     for (const EntryId id : contents_[content]) {
       const Entry& e = entries_[id];
-      number.resize(shapes_.size(), kUnused);
-      if (number[e.shape] == kUnused) {
-        number[e.shape] = asId(map.shapes.size());
-        map.shapes.push_back(localRing(shapes_[e.shape]));
-      }
-      map.placements.push_back({cell, e.block, number[e.shape], e.tile, e.object, e.layer});
+      const auto [number, isNew] = numbers.try_emplace(e.shape, static_cast<std::uint32_t>(map.shapes.size()));
+      if (isNew) map.shapes.push_back(localRing(shapes_[e.shape]));
+      map.placements.push_back({cell, e.block, number->second, e.tile, e.object, e.layer});
     }
   }
   for (auto& [key, note] : notes_) {

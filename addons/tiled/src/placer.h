@@ -12,6 +12,7 @@
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace lgs::tiled {
@@ -30,13 +31,13 @@ class Placer {
   using EntryId = std::uint32_t;
 
   /// What it does is taken from the budget. When that is spent it does nothing any more.
-  explicit Placer(Budget& budget);
+  explicit Placer(Budget& budget) : budget_(budget) { contents_.of({}); }
 
   /// The number of a ring, whichever vertex it begins with. It is simple, counter-clockwise and inside the cell.
   std::uint32_t shape(const Polygon& ring);
 
   /// The number of an entry. Equal entries have the same number.
-  EntryId entry(const Entry& entry);
+  EntryId entry(const Entry& entry) { return entries_.of(entry); }
 
   /// Adds to the cell what no polygon covers there that was placed before. Cost: 12 bytes.
   void place(Cell cell, EntryId entry) { placed_.push_back({cell, entry}); }
@@ -46,8 +47,23 @@ class Placer {
   void finish(ImportedMap& map);
 
  private:
-  using ContentId = std::uint32_t;
+  /// Equal values have one number.
+  template <class T>
+  class Numbered {
+   public:
+    std::uint32_t of(T value) {
+      const auto [at, isNew] = numbers_.emplace(std::move(value), static_cast<std::uint32_t>(values_.size()));
+      if (isNew) values_.push_back(&at->first);
+      return at->second;
+    }
+    const T& operator[](std::uint32_t number) const { return *values_[number]; }
+
+   private:
+    std::map<T, std::uint32_t> numbers_;
+    std::vector<const T*> values_;
+  };
   using Content = std::vector<EntryId>;
+  using ContentId = std::uint32_t;
 
   struct Step {
     ContentId to = 0;
@@ -57,18 +73,13 @@ class Placer {
   Step step(ContentId from, EntryId entry);
   Step work(const Content& content, EntryId entry);
   Step paint(const Content& content, EntryId entry);
-  ContentId content(Content content);
-  bool hasWorkFor(const Content& content, const Polygon& ring);
-  bool fits(const Content& content, const Polygon& ring) const;
+  const Polygon& ringOf(EntryId entry) const { return shapes_[entries_[entry].shape]; }
   void count(EntryId entry, Cell cell, std::string_view text);
 
   Budget& budget_;
-  std::vector<Polygon> shapes_;
-  std::map<Polygon, std::uint32_t> shapeIds_;
-  std::vector<Entry> entries_;
-  std::map<Entry, EntryId> entryIds_;
-  std::vector<Content> contents_;
-  std::map<Content, ContentId> contentIds_;
+  Numbered<Polygon> shapes_;
+  Numbered<Entry> entries_;
+  Numbered<Content> contents_;
   std::unordered_map<std::uint64_t, Step> steps_;
   std::vector<std::pair<Cell, EntryId>> placed_;
   World cell_;  // in which paint() works; a new one for each time would take as long as the brush

@@ -112,22 +112,20 @@ namespace fs = std::filesystem;
 tl::expected<std::string, std::string> readFile(const std::string& path) {
   std::error_code failed;
   const fs::path real = fs::canonical(path, failed);
-  if (failed) return tl::unexpected<std::string>("there is no such file, or no permission to read it");
+  if (failed) return because(kNone);
   return readRegularFile(real);
 }
 
 FileReader readerBelow(const std::string& folder) {
   return [folder](const std::string& path) -> tl::expected<std::string, std::string> {
-    if (!liesBelow(folder, path)) return tl::unexpected<std::string>("it is not below the folder");
+    if (!liesBelow(folder, path)) return because("it is not below the folder");
     std::error_code failed;
     const fs::path root = fs::canonical(folder.empty() ? "." : folder, failed);
     const fs::path real = failed ? fs::path() : fs::canonical(path, failed);
-    if (failed) return tl::unexpected<std::string>("there is no such file, or no permission to read it");
+    if (failed) return because(kNone);
     // Nothing is said of what lies elsewhere, not even whether it is there.
-    if (!liesBelow(root.generic_string(), real.generic_string())) {
-      return tl::unexpected<std::string>("it is a symbolic link out of the folder");
-    }
-    return readRegularFile(real);
+    const bool isBelow = liesBelow(root.generic_string(), real.generic_string());
+    return isBelow ? readRegularFile(real) : because("it is a symbolic link out of the folder");
   };
 }
 

@@ -57,8 +57,7 @@ void readContent(const XmlFile& file, pugi::xml_node node, Templates& templates,
 
 }  // namespace
 
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader, Templates& templates,
-                    std::optional<ImportError>& error) {
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates) {
   Tileset tileset;
   tileset.firstGid = static_cast<std::uint32_t>(map.integer(node, "firstgid", std::nullopt, 1, kMaxGid));
   const std::string source = node.attribute("source").value();
@@ -67,7 +66,8 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
     return tileset;
   }
   if (map.failed() || source.starts_with(kInsideTiled)) return tileset;
-  const XmlFile file(map, source, reader, "tileset", error);
+  std::optional<ImportError>& error = map.error();
+  const XmlFile file(map, source, "tileset", error);
   if (error && !file.wasRead()) {  // the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
@@ -83,9 +83,14 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
   return tileset;
 }
 
+const Tile& Tileset::tile(std::uint32_t id) const {
+  static const Tile kPlain;
+  const auto found = tiles.find(id);
+  return found == tiles.end() ? kPlain : found->second;
+}
+
 Tile tileAt(const Tileset& tileset, std::uint32_t id) {
-  const auto found = tileset.tiles.find(id);
-  Tile tile = found == tileset.tiles.end() ? Tile{} : found->second;
+  Tile tile = tileset.tile(id);
   if (tile.size.x == 0 || tile.size.y == 0) tile.size = tileset.tileSize;
   return tile;
 }
@@ -102,16 +107,16 @@ CollisionObject fullSquare(const Tile& tile) {
   return square;
 }
 
-void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& templates, const TileTable& table,
-                    std::optional<ImportError>& error) {
-  std::map<std::uint32_t, std::string> names;  // by firstGid
+void Tilesets::read(const XmlFile& map, Templates& templates, const TileTable& table) {
+  std::map<std::uint32_t, std::string> names;  // by firstGid; as the map has them
   for (const auto node : map.root().children("tileset")) {
-    tilesets_.push_back(readTileset(map, node, reader, templates, error));
+    tilesets_.push_back(readTileset(map, node, templates));
     if (map.failed()) return;
     Tileset& last = tilesets_.back();
     reshape(last, table);
-    const auto [same, isNew] = names.try_emplace(last.firstGid, last.name);
-    if (!isNew) return map.fail(node, "has the same firstgid as the tileset '" + same->second + "'");
+    const auto [same, isNew] =
+        names.try_emplace(last.firstGid, node.attribute(node.attribute("source") ? "source" : "name").value());
+    if (!isNew) return map.fail(node, "has the same firstgid as the tileset" + map.quoted(" ", same->second));
   }
   std::sort(tilesets_.begin(), tilesets_.end(),
             [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
@@ -132,14 +137,6 @@ const Tileset* Tilesets::of(std::uint32_t number) const {
 namespace {
 
 constexpr std::int64_t kMaxTiles = 1 << 16;  // of a table
-
-/// The parts between separators.
-std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
-  std::vector<std::string_view> parts{text.substr(0, text.find_first_of(separators))};
-  for (std::size_t at = parts[0].size(); at < text.size(); at += parts.back().size() + 1)
-    parts.push_back(text.substr(at + 1, text.find_first_of(separators, at + 1) - at - 1));
-  return parts;
-}
 
 /// "3", "60-63" or "0,39,60-63"; none if it is something else.
 std::vector<std::uint32_t> idsIn(std::string_view text) {
@@ -183,7 +180,7 @@ tl::expected<TileShape, std::string> shapeIn(std::string_view text) {
   }
   const std::size_t least = shape.oneWay ? 2 : 3;
   if (numbers.size() % 2 != 0 || numbers.size() / 2 < least || numbers.size() / 2 > kMaxObjectVertices)
-    return tl::unexpected("should have x y of " + std::to_string(least) + " points or more");
+    return tl::unexpected(concat("should have x y of ", least, " points or more"));
   for (std::size_t k = 0; k < numbers.size(); k += 2) shape.outline.push_back({numbers[k], numbers[k + 1]});
   return shape;
 }
@@ -208,7 +205,7 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text) {
   constexpr const char* kNoHead = "should begin with \"lgs-tiles 1\"";
   for (std::string_view line : split(text, "\n")) {
     ++number;
-    const auto bad = [&](const std::string& what) { return tl::unexpected(std::to_string(number) + ": " + what); };
+    const auto bad = [&](const auto&... what) { return tl::unexpected(concat(number, ": ", what...)); };
     line = trimmed(line.substr(0, line.find('#')));
     if (line.empty()) continue;
     if (!hasHead && line != "lgs-tiles 1") return bad(kNoHead);
@@ -224,9 +221,9 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text) {
     const auto shape = shapeIn(rest);
     if (!shape) return bad(shape.error());
     for (const std::uint32_t id : ids)
-      if (!table[tileset].emplace(id, *shape).second) return bad("tile " + std::to_string(id) + " has a row already");
+      if (!table[tileset].emplace(id, *shape).second) return bad("tile ", id, " has a row already");
     tiles += static_cast<std::int64_t>(ids.size());
-    if (tiles > kMaxTiles) return bad("has more than " + std::to_string(kMaxTiles) + " tiles");
+    if (tiles > kMaxTiles) return bad("has more than ", kMaxTiles, " tiles");
   }
   if (!hasHead) return tl::unexpected(std::string("1: ") + kNoHead);
   return table;

@@ -26,9 +26,12 @@ struct Tileset {
   std::string alignment;                          ///< which point of a tile object is its place; empty: the default
   std::string missing;                            ///< why its file is not there; then no tile has shapes or properties
   std::unordered_map<std::uint32_t, Tile> tiles;  ///< by id; only those that the file has a <tile> for
+
+  /// A tile; one without shapes if the file has no <tile> for it.
+  const Tile& tile(std::uint32_t id) const;
 };
 
-/// A tile of a tileset, with the size of its image; one without shapes if the file has no <tile> for it.
+/// A copy of a tile, with the size of its image.
 Tile tileAt(const Tileset& tileset, std::uint32_t id);
 
 /// Gives each tile that a table names the shape that the table says, instead of its own ones.
@@ -46,8 +49,7 @@ CollisionObject fullSquare(const Tile& tile);
 /// The tilesets of a map.
 class Tilesets {
  public:
-  void read(const XmlFile& map, const FileReader& reader, Templates& templates, const TileTable& table,
-            std::optional<ImportError>& error);
+  void read(const XmlFile& map, Templates& templates, const TileTable& table);
 
   const std::vector<Tileset>& all() const { return tilesets_; }
 
@@ -58,9 +60,7 @@ class Tilesets {
   std::vector<Tileset> tilesets_;  // by firstGid
 };
 
-/// Reads a <tileset> of a map or template, from another file if it names one. `error` is that of the import; it keeps a
-/// problem.
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader, Templates& templates,
-                    std::optional<ImportError>& error);
+/// Reads a <tileset> of a map or template, from another file if it names one.
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates);
 
 }  // namespace lgs::tiled

@@ -66,11 +66,6 @@ constexpr auto kOfProperties = std::to_array<std::string_view>(
     {"category", "col", "color", "colour", "filter", "friction", "group", "height", "id", "index", "mask", "message",
      "name", "script", "sound", "speed", "type", "world"});
 
-template <class List>
-bool has(const List& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 /// Whether a word begins with one of a list.
 template <class List>
 bool begins(const List& list, std::string_view word) {

@@ -3,7 +3,9 @@
 
 #include "xml.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -62,6 +64,14 @@ using Properties = std::map<std::string, std::string>;
 
 /// The custom properties of a map, layer, tile or object.
 Properties propertiesOf(pugi::xml_node node);
+
+/// "1 tile", "2 tiles"
+inline std::string counted(std::uint64_t n, const std::string& what) { return concat(n, " ", what, n == 1 ? "" : "s"); }
+
+template <class List, class Value>
+bool has(const List& list, const Value& value) {
+  return std::find(std::begin(list), std::end(list), value) != std::end(list);
+}
 
 /// "A, B, C and 4 more"
 std::string listed(const std::vector<std::string>& names, std::size_t most = 8);

@@ -68,8 +68,8 @@ class WorldMaps {
     const auto regexp = Regexp::parse(text);
     if (!regexp) return file_.fail(node, "its regexp " + inQuotes(text) + " " + regexp.error());
     if (regexp->captures() != Regexp::kKept) {
-      return file_.fail(node, "its regexp " + inQuotes(text) + " has " + std::to_string(regexp->captures()) +
-                                  " captures. It needs two: (…) for the column and (…) for the row");
+      return file_.fail(node, concat("its regexp ", inQuotes(text), " has ", regexp->captures(),
+                                     " captures. It needs two: (…) for the column and (…) for the row"));
     }
     const std::size_t before = maps_.size();
     bool fits = false;

@@ -60,6 +60,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts{text.substr(0, text.find_first_of(separators))};
+  for (std::size_t at = parts[0].size(); at < text.size(); at += parts.back().size() + 1)
+    parts.push_back(text.substr(at + 1, text.find_first_of(separators, at + 1) - at - 1));
+  return parts;
+}
+
 std::optional<std::int64_t> parseInteger(std::string_view text) {
   text = bare(text);
   std::int64_t value = 0;
@@ -78,56 +85,36 @@ std::optional<double> parseReal(std::string_view text) {
 }
 
 XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
-                 Quoting quoting)
-    : name_(std::move(name)), quoting_(quoting), error_(error) {
-  read(reader, rootName, "");
-}
-
-XmlFile::XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
-                 std::optional<ImportError>& error)
-    : name_(by.pathTo(named)), quoting_{by.quoting_.others, by.quoting_.others}, error_(error) {
-  read(reader, rootName, quoting_.own ? "" : whyNotToRead(named, rootName));
-}
-
-void XmlFile::read(const FileReader& reader, const char* rootName, const std::string& refusal) {
+                 Quoting quoting, const std::string& refusal)
+    : name_(std::move(name)), quoting_(quoting), reader_(reader), error_(error) {
   if (failed()) return;
   auto text = refusal.empty() ? reader(name_) : tl::unexpected(refusal);
-  if (!text) {
+  wasRead_ = text.has_value();
+  if (wasRead_) {
+    text_ = std::move(*text);
+    parse();
+    if (!failed()) expectRoot(rootName);
+  } else {
     isMissing_ = text.error().starts_with(kNoSuchFile);
     error_ = ImportError{name_, 0, "", "cannot be read: " + text.error()};
-    return;
   }
-  wasRead_ = true;
-  text_ = std::move(*text);
-  parse(reader);
-  if (!failed()) expectRoot(rootName);
 }
 
-void XmlFile::parse(const FileReader& reader) {
+XmlFile::XmlFile(const XmlFile& by, const std::string& named, const char* rootName, std::optional<ImportError>& error)
+    : XmlFile(by.pathTo(named), by.reader_, rootName, error, {by.quoting_.others, by.quoting_.others},
+              by.quoting_.others ? "" : whyNotToRead(named, rootName)) {}
+
+void XmlFile::parse() {
   const std::string foreign = foreignText(text_);
+  if (!foreign.empty()) return fail({}, foreign);
   const std::string_view start =
       trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
-  if (!foreign.empty()) {
-    error_ = ImportError{name_, 0, "", isForeign(foreign)};
-  } else if (start.starts_with('{') || start.starts_with('[')) {
-    readJson(name_, text_, reader, document_, error_);
-  } else {
-    parseXml();
-  }
-}
-
-void XmlFile::parseXml() {
-  lineStarts_.push_back(0);
-  for (std::size_t i = 0; i < text_.size(); ++i) {
-    if (text_[i] == '\n') lineStarts_.push_back(i + 1);
-  }
+  if (start.starts_with('{') || start.starts_with('['))
+    return readJson({name_, quoting_.own, reader_, error_}, text_, document_);
   const auto result = document_.load_buffer(text_.data(), text_.size());
-  if (result.status == pugi::status_no_document_element) {
-    error_ = ImportError{name_, 0, "", isForeign("neither XML nor JSON")};
-  } else if (!result) {
-    error_ =
-        ImportError{name_, lineAt(result.offset), "", std::string("is not well-formed XML: ") + result.description()};
-  }
+  if (result.status == pugi::status_no_document_element) return fail({}, isForeign("neither XML nor JSON"));
+  if (!result)
+    error_ = ImportError{name_, lineAt(result.offset), "", concat("is not well-formed XML: ", result.description())};
 }
 
 /// Nothing of Tiled's is nearer to a map than a world, which names maps.
@@ -135,8 +122,8 @@ void XmlFile::expectRoot(std::string_view rootName) const {
   const std::string_view found = root().name();
   if (found == rootName) return;
   if (rootName == "map" && found == "world" && root().attribute(kPathAttribute)) return;  // there are none in XML
-  if (const std::string foreign = foreignXml(found); !foreign.empty()) return fail(root(), isForeign(foreign));
-  const std::string should = "should be <" + std::string(rootName) + ">: this is not the kind of file expected here";
+  if (const std::string foreign = foreignXml(found); !foreign.empty()) return fail(root(), foreign);
+  const std::string should = concat("should be <", rootName, ">: this is not the kind of file expected here");
   if (quoting_.own) return fail(root(), should);
   fail({}, "its root " + should);
 }
@@ -151,8 +138,7 @@ int XmlFile::line(pugi::xml_node node) const {
 }
 
 int XmlFile::lineAt(std::ptrdiff_t offset) const {
-  const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), static_cast<std::size_t>(offset));
-  return static_cast<int>(next - lineStarts_.begin());
+  return static_cast<int>(1 + std::count(text_.begin(), text_.begin() + offset, '\n'));
 }
 
 void XmlFile::fail(pugi::xml_node node, std::string what, std::string option) const {
@@ -169,8 +155,7 @@ std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::o
   }
   const auto value = parseInteger(found.value());
   if (value && *value >= min && *value <= max) return *value;
-  fail(node, attribute + quoted("=", found.value()) + " should be a whole number from " + std::to_string(min) + " to " +
-                 std::to_string(max));
+  fail(node, concat(attribute, quoted("=", found.value()), " should be a whole number from ", min, " to ", max));
   return fallback.value_or(min);
 }
 
@@ -184,20 +169,15 @@ double XmlFile::real(pugi::xml_node node, const char* attribute) const {
 
 std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attribute) const {
   std::vector<DoublePoint> result;
-  const std::string_view all = node.attribute(attribute).value();
-  std::string_view rest = trimmed(all);
-  while (!rest.empty()) {
-    const auto blank = std::min(rest.find_first_of(" \t\r\n"), rest.size());
-    const std::string_view pair = rest.substr(0, blank);
-    const auto comma = std::min(pair.find(','), pair.size());
-    const auto x = parseReal(pair.substr(0, comma));
-    const auto y = comma < pair.size() ? parseReal(pair.substr(comma + 1)) : std::nullopt;
+  for (const std::string_view pair : split(node.attribute(attribute).value(), " \t\r\n")) {
+    if (pair.empty()) continue;
+    const std::size_t comma = std::min(pair.find(','), pair.size() - 1);
+    const auto x = parseReal(pair.substr(0, comma)), y = parseReal(pair.substr(comma + 1));
     if (!x || !y) {
       fail(node, attribute + quoted(": ", pair) + " should be two finite numbers 'x,y'");
       return {};
     }
     result.push_back({*x, *y});
-    rest = trimmed(rest.substr(blank));
   }
   return result;
 }

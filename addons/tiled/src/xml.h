@@ -6,11 +6,11 @@
 #include <lgs/tiled/import.h>
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,9 +22,35 @@ std::string inQuotes(std::string_view piece);
 /// Without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
+/// The parts of a text between separators.
+std::vector<std::string_view> split(std::string_view text, std::string_view separators);
+
+/// Texts and numbers, one after the other.
+template <class... Parts>
+std::string concat(const Parts&... parts) {
+  std::string all;
+  const auto add = [&](const auto& part) {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(part)>>) {
+      all += std::to_string(part);
+    } else {
+      all += part;
+    }
+  };
+  (add(parts), ...);
+  return all;
+}
+
+/// Adds a text to a list in words, unless it is empty.
+inline void join(std::string& list, std::string_view text, const char* between = "; ") {
+  if (!text.empty()) list += concat(list.empty() ? "" : between, text);
+}
+
 /// A number, which may have blanks around it and a plus; nothing for anything else. A real is finite.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseReal(std::string_view text);
+
+/// A number in the fewest digits that mean the same.
+std::string numberText(double value);
 
 /// The path of a file that another one names by a path from its own folder, in either kind of slashes.
 std::string pathBeside(const std::string& file, std::string named);
@@ -37,19 +63,19 @@ struct Quoting {
 
 class XmlFile {
  public:
-  /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. All files of an
-  /// import share `error`, which must outlive them.
+  /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. A refusal says
+  /// why it is not read. All files of an import share `error`, which must outlive them, as the reader must.
   XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
-          Quoting quoting);
+          Quoting quoting, const std::string& refusal = {});
 
   /// The same of a file that another one names. Unless files may lie anywhere, it is read only if the name is not
   /// absolute and has an extension of its kind.
-  XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
-          std::optional<ImportError>& error);
+  XmlFile(const XmlFile& by, const std::string& named, const char* rootName, std::optional<ImportError>& error);
 
   const std::string& name() const { return name_; }
   pugi::xml_node root() const { return document_.document_element(); }
   bool failed() const { return error_.has_value(); }
+  std::optional<ImportError>& error() const { return error_; }
   bool wasRead() const { return wasRead_; }      ///< the reader gave its text, whatever there is in it
   bool isMissing() const { return isMissing_; }  ///< the reader says that there is no such file
 
@@ -77,9 +103,7 @@ class XmlFile {
   std::vector<DoublePoint> points(pugi::xml_node node, const char* attribute) const;
 
  private:
-  void read(const FileReader& reader, const char* rootName, const std::string& refusal);
-  void parse(const FileReader& reader);
-  void parseXml();
+  void parse();
   void expectRoot(std::string_view rootName) const;
   int lineAt(std::ptrdiff_t offset) const;
 
@@ -87,8 +111,8 @@ class XmlFile {
   Quoting quoting_;
   bool wasRead_ = false, isMissing_ = false;
   std::string text_;
-  std::vector<std::size_t> lineStarts_;
   pugi::xml_document document_;
+  const FileReader& reader_;
   std::optional<ImportError>& error_;
 };
 

@@ -63,6 +63,7 @@ TEST(TiledTilesets, OneThatTiledHasInItselfIsNoFile) {
   const auto map = mustImport(tilesetXml({kFullTile}) + "<tileset firstgid='9' source=':/automap-tiles.tsx'/>" +
                               csvLayer(2, 1, "1,9"));
   EXPECT_EQ(cellsOf(map), (Cells{{0, -1}}));
+  EXPECT_EQ(map.report.partial, "") << "nothing is missing";
 }
 
 TEST(TiledLayers, AShiftAgainstTheGridIsCarried) {

@@ -62,6 +62,7 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnDoNotSayWhatIsSolid) {
         called("Walls", "8", tiles(two)) + "," + called("Ground", "4", tiles(two)) + "," + grid("0,3,0,0,0,0", name)));
     EXPECT_EQ(cellsOf(map), (Cells{{2, -1}})) << name;
     EXPECT_EQ(map.report.partial, "") << name;
+    EXPECT_EQ(map.report.choice, std::string("IntGrid layers: ") + name);
   }
 }
 

@@ -90,13 +90,21 @@ TEST(TiledStrangeMaps, OtherFilesAreNotQuoted) {
         said(mapXml("<tileset firstgid='1' source='s.tsx'/>" + csvLayer(1, 1, "1")), asked, secret);
     EXPECT_NE(text, "accepted") << secret;
     EXPECT_EQ(text.find("SECRET"), std::string::npos) << text;
-    for (const char* layer : {"<layer name='SECRET'><data encoding='SECRET'/></layer>", "", "<layer name='SECRET'/>"}) {
+    for (const char* layer :
+         {"<layer name='SECRET'><data encoding='SECRET'/></layer>", "", "<layer name='SECRET'/>",
+          "<layer width='1' height='1'><data encoding='base64' compression='SECRET'>AAAAAA==</data></layer>",
+          "<tileset firstgid='1' name='SECRET' tilewidth='1' tileheight='1'/>"
+          "<tileset firstgid='1' name='b' tilewidth='1' tileheight='1'/>"}) {
       const std::string map = mapXml(layer, *layer != '\0' ? "" : "orientation='SECRET'");
       const std::string world = R"({"type":"world", "maps":[{"fileName":"b.tmx", "x":0, "y":0}]})";
       EXPECT_EQ(said(world, asked, map).find("SECRET"), std::string::npos) << said(world, asked, map);
     }
   }
   std::vector<std::string> asked;
+  const std::string set = "<tileset firstgid='1' source='s.tsx'/>";
+  EXPECT_EQ(said(mapXml(set + set), asked, "<tileset name='SECRET' tilewidth='1' tileheight='1'/>").find("SECRET"),
+            std::string::npos);
+  EXPECT_EQ(said(mapXml(set), asked, "[4e777]").find("4e777"), std::string::npos) << "a number that is too large";
   EXPECT_NE(said(mapXml("", "width='mine'"), asked).find("mine"), std::string::npos) << "the map's own text is";
 }
 
