@@ -30,7 +30,7 @@ double side(DoublePoint a, DoublePoint b, DoublePoint p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-double leftOf(const Piece& piece) { return static_cast<double>(std::min(piece.line.start.x, piece.line.end.x)); }
+double leftEndOf(const Piece& piece) { return static_cast<double>(std::min(piece.line.start.x, piece.line.end.x)); }
 
 /// Whether two lines have a point in common, or nearly.
 bool meet(DoublePoint a, DoublePoint b, DoublePoint c, DoublePoint d) {
@@ -43,7 +43,7 @@ WayOut::WayOut(const NewGround& ground, std::span<const Form> forms, double tole
     : ground_(ground), forms_(forms), tolerance_(tolerance), box_(boxOf(forms)) {}
 
 void WayOut::Row::sort() {
-  std::ranges::sort(pieces, {}, leftOf);
+  std::ranges::sort(pieces, {}, leftEndOf);
   widest = 0;
   for (const Piece& piece : pieces)
     widest = std::max(widest, std::abs(static_cast<double>(piece.line.start.x - piece.line.end.x)));
@@ -51,8 +51,8 @@ void WayOut::Row::sort() {
 
 /// Those that may have a point in a range of x, and maybe more.
 std::span<const Piece> WayOut::Row::between(double min, double max) const {
-  const auto first = std::ranges::lower_bound(pieces, min - widest, {}, leftOf);
-  const auto last = std::ranges::upper_bound(first, pieces.end(), max, {}, leftOf);
+  const auto first = std::ranges::lower_bound(pieces, min - widest, {}, leftEndOf);
+  const auto last = std::ranges::upper_bound(first, pieces.end(), max, {}, leftEndOf);
   return {first, last};
 }
 
