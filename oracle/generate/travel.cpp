@@ -98,7 +98,7 @@ void Editor::remember(Cell cell) {
   const auto forgetMarks = [&] {  // while there are some nothing is forgotten
     while (model_.hasMarks() && random_.chance(95)) make(Call::of(forget));
   };
-  switch (random_.below(10)) {
+  switch (random_.below(11)) {
     case 0:
     case 1:
     case 2:
@@ -131,6 +131,19 @@ void Editor::remember(Cell cell) {
       call.group = {square, gone};
       if (near_.in(cell).empty()) make(std::move(call));
       return;
+    }
+    case 9: {  // a cell of many polygons leaves, and comes back
+      constexpr std::int32_t kSide = kUnitsPerCell / 4;
+      Call many = Call::of(addShape);
+      many.comes = {{.cell = cell, .block = random_.pick(habits_.blocks)}};
+      for (std::int32_t k = 0; k < 16; ++k) {
+        const std::int32_t x = k % 4 * kSide, y = k / 4 * kSide;
+        many.comes[0].shape.push_back({{x, y}, {x + kSide, y}, {x + kSide, y + kSide}, {x, y + kSide}});
+      }
+      if (near_.in(cell).empty()) make(std::move(many));
+      chunks(unload);
+      commits();
+      return chunks(reload);
     }
     default:  // leaves a place, and what was unloaded there
       forgetMarks();
