@@ -42,8 +42,9 @@ std::chrono::milliseconds shrinkTime(const CheckArguments& arguments) {
 }
 
 ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
-  return {arguments.out,         checked.name,       checked.reproduce,
-          shrinkTime(arguments), thisProgram("lgs"), arguments.engine.print()};
+  return {arguments.out,          checked.name,       checked.reproduce,
+          shrinkTime(arguments),  thisProgram("lgs"), arguments.engine.print(),
+          arguments.options.views};
 }
 
 CheckOptions caseOptions(const CheckArguments& arguments) {

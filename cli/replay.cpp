@@ -184,6 +184,11 @@ void addReplay(CLI::App& app, Action& chosen) {
       command.add_flag("--check", arguments->check,
                        "Compare with the references after every commit; on a mismatch\nsay what differs, and where");
   addOracleOption(command, arguments->checkOptions)->needs(check);
+  command
+      .add_flag("--views", arguments->checkOptions.views,
+                "Follow the world with views of loops, islands, pieces and hashes, as\n"
+                "lgs check --views does, until a chunk leaves memory")
+      ->needs(check);
   addEngineOptions(command, arguments->engine, check);
   command.add_option("--dump", arguments->dump, "Write the segments after the last commit; - is stdout")
       ->option_text("FILE");
@@ -200,6 +205,8 @@ void addReplay(CLI::App& app, Action& chosen) {
   command.footer(kReplayHelp);
   command.callback([arguments, &chosen] {
     arguments->engine.prepare();
+    if (arguments->checkOptions.views && arguments->engine.isGiven())
+      throw CLI::ExcludesError("--views", "--engine and --engine-so");
     chosen = [arguments] { return run(*arguments); };
   });
 }

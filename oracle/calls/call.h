@@ -136,20 +136,62 @@ struct Call {
   friend bool operator==(const Call& a, const Call& b);
 };
 
-/// Whether what comes is shapes, which are made first.
-constexpr bool isByShape(Call::Kind kind) {
-  using enum Call::Kind;
-  return kind == addShape || kind == addMany || kind == replace || kind == fill;
-}
+/// What is said of all calls of a kind.
+struct KindOfCall {
+  enum Has : unsigned {
+    edit = 1,       ///< it may stand in a group
+    time = 2,       ///< it goes back or forward, or stands for others: it is no edit
+    one = 4,        ///< one thing comes
+    many = 8,       ///< any number of them
+    shapes = 16,    ///< what comes is shapes, which are made first
+    cell = 32,      ///< what comes has a cell
+    notation = 64,  ///< a single polygon that comes may be in any notation
+    room = 128,     ///< for handles
+    rect = 256,     ///< Call::cells is a rectangle
+    number = 512    ///< Call::nth
+  };
+  const char* word;  ///< its line begins with it; that of a brush may be `carve`
+  unsigned has;
+};
 
-/// Edits that may stand in a group.
-constexpr bool isEdit(Call::Kind kind) { return kind < Call::Kind::group || kind == Call::Kind::brush; }
+/// In their order.
+inline constexpr auto kKindsOfCalls = [] {
+  using enum KindOfCall::Has;
+  constexpr unsigned shape = edit | one | shapes | notation;
+  return std::array<KindOfCall, Call::kKinds>{{{"shape", edit | one | notation},
+                                               {"add", edit | one | cell | notation},
+                                               {"place", shape | cell | room},
+                                               {"many", edit | many | shapes | cell | notation | room},
+                                               {"remove", edit},
+                                               {"removeMany", edit},
+                                               {"replace", shape | cell | room},
+                                               {"exchange", edit | many | room},
+                                               {"setBlock", edit | one},
+                                               {"fill", shape | rect},
+                                               {"clear", edit | rect},
+                                               {"group", time},
+                                               {"commit", time | number},
+                                               {"mark", time},
+                                               {"back", time | number},
+                                               {"forget", time | number},
+                                               {"leave", rect},
+                                               {"copy", time},
+                                               {"load", time},
+                                               {"forward", time | number},
+                                               {"unload", rect},
+                                               {"reload", rect | number},
+                                               {"reloadEmpty", rect},
+                                               {"paint", edit},
+                                               {"repeat", time | number},
+                                               {"follow", time | number}}};
+}();
 
-/// Calls that go back or forward, or stand for others: they are no edits.
-constexpr bool movesInTime(Call::Kind kind) {
-  using enum Call::Kind;
-  return (group <= kind && kind <= goForward && kind != leave) || kind == repeat || kind == follow;
+constexpr bool has(Call::Kind kind, KindOfCall::Has what) {
+  return (kKindsOfCalls[static_cast<std::size_t>(kind)].has & what) != 0;
 }
+constexpr bool isByShape(Call::Kind kind) { return has(kind, KindOfCall::shapes); }
+constexpr bool isEdit(Call::Kind kind) { return has(kind, KindOfCall::edit); }
+constexpr bool movesInTime(Call::Kind kind) { return has(kind, KindOfCall::time); }
 
 /// Calls of chunks that come and go: a chunk of a place where none is counts as an edit.
 constexpr bool isOfMemory(Call::Kind kind) { return Call::Kind::unload <= kind && kind <= Call::Kind::reloadEmpty; }

@@ -25,17 +25,15 @@ bool isPlain(const Call& call) {
 
 Call tidied(Call call) {
   using enum Call::Kind;
-  const auto isOneOf = [&](auto... kinds) { return ((call.kind == kinds) || ...); };
-  const bool comes = isByShape(call.kind) || isOneOf(shape, add, exchange);
-  if (!comes || call.comes.empty() || call.kind == exchange) call.notation = {};
+  if (!has(call.kind, KindOfCall::notation) || call.comes.empty()) call.notation = {};
   if (!isReal(call.notation)) call.offset = 0;
-  if (!isOneOf(addShape, addMany, replace, exchange)) call.room = 0;
-  if (!isOneOf(fill, clear, exchange, leave, unload, reload, reloadEmpty)) call.cells = {};
+  if (!has(call.kind, KindOfCall::room)) call.room = 0;
+  if (!has(call.kind, KindOfCall::rect) && call.kind != exchange) call.cells = {};
   if (call.kind == exchange) call.cells.max = call.cells.min;
-  if (!isOneOf(commit, goBack, goForward, forget, reload, repeat, follow)) call.nth = 0;
-  if (!isOneOf(group, goBack)) call.keeps = {};
+  if (!has(call.kind, KindOfCall::number)) call.nth = 0;
+  if (call.kind != group && call.kind != goBack) call.keeps = {};
   for (Coming& c : call.comes) {
-    if (isOneOf(shape, exchange, setBlock, fill)) c.cell = {};
+    if (!has(call.kind, KindOfCall::cell)) c.cell = {};
     if (call.kind == setBlock) c.shape = {};
     if (call.kind == shape) c.block = 0;
     if (c.id != 0) c.shape = {};
@@ -70,7 +68,7 @@ std::vector<Call> simpler(const Call& call) {
     for (std::size_t k = 0; (call.*list).size() > least && k < (call.*list).size(); ++k)
       with([&](Call& c) { (c.*list).erase((c.*list).begin() + static_cast<std::ptrdiff_t>(k)); });
   };
-  const bool isOfMany = call.kind == Kind::addMany || call.kind == Kind::exchange || call.kind == Kind::removeMany;
+  const bool isOfMany = has(call.kind, KindOfCall::many) || call.kind == Kind::removeMany;
   withoutEach(&Call::group, 1);
   if (call.kind == Kind::repeat && call.nth > 1) {
     with([](Call& c) { c.nth /= 2; });

@@ -67,13 +67,18 @@ class Check {
     const bool isNowhere = (call.kind == Call::Kind::goBack && !model.hasMarks()) ||
                            (call.kind == Call::Kind::goForward && !model.hasAhead());
     for (const auto& law : laws_) law->before(seen_, judged);
+    seen_.willChange();
     const auto done = seen_.library->apply(judged);
     if (!done && done.error().isWrong) return seen_.mismatch(Mismatch::Kind::verdict, done.error().text);
     seen_.wasAway = seen_.wasAway || !model.isWhole();
     seen_.isAnywhere = seen_.isAnywhere || (done && !isEdit(call.kind));
     seen_.edited.merge(seen_.library->player().takeEdited());
-    if (auto found = ask([&](Law& law) { return isNowhere ? std::nullopt : law.after(seen_, judged, !done); }))
-      return found;
+    const bool travels = done && (call.kind == Call::Kind::goBack || call.kind == Call::Kind::goForward);
+    const auto look = [&](Law& law) {
+      auto found = law.after(seen_, judged, !done);
+      return found || !travels ? found : law.afterTravel(seen_);
+    };
+    if (auto found = isNowhere ? std::nullopt : ask(look)) return found;
     if (!done) return refused(judged.call, verdict, done.error());
     ++seen_.stats.made[static_cast<std::size_t>(call.kind)];
     return Found();
@@ -83,6 +88,7 @@ class Check {
   tl::expected<Found, TraceError> makeByName(const Call& call) {
     if (!isPlain(call))
       return tl::unexpected(TraceError{call.line, "only this library's engine has such calls: " + printCall(call), {}});
+    seen_.willChange();
     Model& placed = seen_.placed;
     const Verdict verdict = placed.judge(call);
     if (verdict.accepted || (seen_.engine.can().refuses && verdict.code != ErrorCode::capacity)) {
@@ -106,6 +112,7 @@ class Check {
   }
 
   Found commit(std::uint32_t executor) {
+    seen_.willChange();
     if (seen_.library != nullptr) seen_.library->useExecutor(executor);
     const auto refusals = seen_.engine.commit();
     ++seen_.commits;

@@ -44,6 +44,19 @@ class Seen {
   const Model& model() const { return library != nullptr ? library->model() : placed; }
   Scene scene() const { return model().scene(trace.preserve); }
   World& world() { return library->player().world(); }
+  /// The outline of all there is, by the naive reference; and the engine's. Each is worked out once for each state.
+  const Outline& whole() {
+    if (!whole_) whole_ = naive(scene()).outline;
+    return *whole_;
+  }
+  const Outline& shown() {
+    if (!shown_) shown_ = engine.outline();
+    return *shown_;
+  }
+  void willChange() {
+    whole_.reset();
+    shown_.reset();
+  }
   bool isPending() const { return library != nullptr && library->player().pending(); }
 
   Mismatch mismatch(Mismatch::Kind kind, std::string text, Outline marked = {}) const;
@@ -57,6 +70,9 @@ class Seen {
   Found differing(Mismatch::Kind kind, const Scene& scene, const Outline& expected, const Outline& actual) const {
     return differing(kind, scene, expected, actual, engine.can());
   }
+
+ private:
+  std::optional<Outline> whole_, shown_;
 };
 
 class Law {
@@ -71,6 +87,8 @@ class Law {
   /// A call that is no commit, of this library's engine: before it, with what must come of it; and after it.
   virtual void before(Seen&, const Judged&) {}
   virtual Found after(Seen&, const Judged&, bool /*isRefused*/) { return std::nullopt; }
+  /// It has gone back or forward: Seen::library->changes() says what that did to the segments.
+  virtual Found afterTravel(Seen&) { return std::nullopt; }
   virtual Found afterCommit(Seen&) { return std::nullopt; }
   /// After some commits, and at the end: what takes long.
   virtual Found nowAndThen(Seen&) { return std::nullopt; }

@@ -30,7 +30,7 @@ std::string wrongRay(const World& world, std::span<const Segment> segments, Poin
 std::string wrongAnswers(const World& world, const Scene& scene, const Outline& whole, Random& random,
                          std::size_t count);
 
-/// What is wrong about samePolygons(), if anything is.
-std::string wrongComparison(const World& world);
+/// What is wrong about samePolygons(), if anything is: `other` holds the same polygons.
+std::string wrongComparison(const World& world, World other);
 
 }  // namespace lgs::oracle

@@ -74,8 +74,8 @@ void save(const Trace& trace, const Views& views, const ReportOptions& report, b
   fmt::print("again      {}\n", report.reproduce);
   if (written && replays) {
     const std::string cd = report.engine.empty() ? "" : fmt::format("cd {} && ", thisFolder());
-    fmt::print("look at it {}{} replay {} --check{} --svg {}\n", cd, report.lgs, shellPath(base + ".trace"),
-               report.engine, shellPath(base + ".svg"));
+    fmt::print("look at it {}{} replay {} --check{}{} --svg {}\n", cd, report.lgs, shellPath(base + ".trace"),
+               report.engine, report.views ? " --views" : "", shellPath(base + ".svg"));
   }
 }
 

@@ -19,6 +19,7 @@ struct ReportOptions {
   std::chrono::milliseconds shrinkFor{};
   std::string lgs = "lgs";  ///< the lgs command, as a shell takes it
   std::string engine = {};  ///< the options that name the engine, with a blank before; empty for this library's
+  bool views = false;       ///< views followed the world
 };
 
 /// Writes a file; complains on the standard error if that does not work. Whether it did.

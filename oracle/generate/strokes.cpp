@@ -1,6 +1,7 @@
 #include "oracle/generate/strokes.h"
 
 #include <lgs/brush.h>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -11,17 +12,29 @@ class Painter {
  public:
   Painter(Cell cell, Random& random) : cell_(cell), random_(random) {}
 
-  std::vector<Call> stroke(Block block) {
+  std::vector<Call> stroke(std::span<const Block> blocks) {
     constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
-    std::vector<Call> calls;
     BrushEdit brush;
     brush.deed = kDeeds[random_.below(kDeeds.size())];
+    const Block block = any(blocks);
+    if (random_.chance(25)) brush.staying = {any(blocks)};
+    const int kind = random_.below(20);
+    if (kind == 0) brush.deed = BrushEdit::Deed::carve;  // or many cells would be filled
     brush.block = brush.deed == BrushEdit::Deed::carve ? 0 : block;
-    if (random_.chance(40)) {
-      brush.rings = crossing();
-      return {Call::byBrush(brush)};
+    if (kind < 9) {
+      if (kind == 0) brush.rings = {longest()};
+      if (kind == 1) brush.rings = {star()};
+      if (kind > 1) brush.rings = crossing();
+      return {Call::byBrush(std::move(brush))};
     }
-    for (Ring& ring : shape().rings) {
+    std::vector<Ring> rings = shape().rings;
+    brush.isEvenOdd = width_ < kLeastUnited || random_.chance(50);
+    std::vector<Call> calls;
+    if (!brush.isEvenOdd) {
+      brush.rings = std::move(rings);
+      return {Call::byBrush(std::move(brush))};
+    }
+    for (Ring& ring : rings) {
       brush.rings = {std::move(ring)};
       calls.push_back(Call::byBrush(brush));
     }
@@ -29,6 +42,7 @@ class Painter {
   }
 
  private:
+  Block any(std::span<const Block> blocks) { return blocks[random_.below(blocks.size())]; }
   std::int64_t between(std::int64_t least, std::int64_t most) { return random_.between(least, most); }
   Point near(Point p, std::int64_t reach) { return {p.x + between(-reach, reach), p.y + between(-reach, reach)}; }
 
@@ -43,16 +57,38 @@ class Painter {
   Region shape() {
     const Point at = place();
     const std::int64_t size = (2 * kUnitsPerCell) >> random_.below(random_.chance(80) ? 6 : 17);
+    const std::int64_t width = width_ = between(1, size);
     switch (random_.below(3)) {
       case 0:
+        width_ = size;
         return circle(at, size, 8 + 8 * random_.below(4));
       case 1:
-        return rectangle(at, random_.chance(50) ? Point{1, 0} : near({0, 0}, 100), size, between(1, size));
+        return rectangle(at, random_.chance(50) ? Point{1, 0} : near({0, 0}, 100), size, width);
       default: {
         const std::array line{at, near(at, size), near(at, 2 * size)};
-        return thickLine(line, between(1, size), 8);
+        return thickLine(line, width, 8);
       }
     }
+  }
+
+  /// Around a point, with many corners.
+  Ring star() {
+    const Point at = place();
+    Ring ring = circle(at, kUnitsPerCell >> random_.below(4), 16 + 8 * random_.below(4)).rings[0];
+    for (Point& p : ring) {
+      const std::int64_t eighths = between(1, 8);
+      p = {at.x + (p.x - at.x) / 8 * eighths, at.y + (p.y - at.y) / 8 * eighths};
+    }
+    return ring;
+  }
+
+  /// As wide or high as a region may be, or a unit more, which must be refused.
+  Ring longest() {
+    const Point at = place();
+    const std::int64_t length = kMaxRegionCells * kUnitsPerCell + between(0, 1), width = between(1, kUnitsPerCell);
+    const bool lies = random_.chance(50);
+    const Point far{at.x + (lies ? length : width), at.y + (lies ? width : length)};
+    return {at, {far.x, at.y}, far, {at.x, far.y}};
   }
 
   /// Rings on a lattice of few points: they cross, touch and overlap.
@@ -67,12 +103,17 @@ class Painter {
     return rings;
   }
 
+  static constexpr std::int64_t kLeastUnited = 256;  // units: a smaller one that is rounded may touch itself
+
   Cell cell_;
   Random& random_;
+  std::int64_t width_ = 0;  // of the last shape
 };
 
 }  // namespace
 
-std::vector<Call> strokeAt(Cell cell, Block block, Random& random) { return Painter(cell, random).stroke(block); }
+std::vector<Call> strokeAt(Cell cell, std::span<const Block> blocks, Random& random) {
+  return Painter(cell, random).stroke(blocks);
+}
 
 }  // namespace lgs::oracle

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <limits>
 
 namespace lgs::oracle {
 namespace {
@@ -14,26 +12,8 @@ namespace {
 using Kind = Call::Kind;
 using Words = std::span<const std::string_view>;
 
-// In the order of the kinds; that of paint is of carve, too.
-constexpr std::array<const char*, Call::kKinds> kWords{
-    "shape", "add",     "place",  "many",   "remove",      "removeMany", "replace", "exchange", "setBlock",
-    "fill",  "clear",   "group",  "commit", "mark",        "back",       "forget",  "leave",    "copy",
-    "load",  "forward", "unload", "reload", "reloadEmpty", "paint",      "repeat",  "follow"};
 constexpr std::array<const char*, 4> kNotations{"lattice", "list", "floats", "doubles"};
 constexpr std::array<const char*, 3> kKeeps{"drop", "keep", "all"};
-
-bool placesSomewhere(Kind kind) {
-  return kind == Kind::add || kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace;
-}
-bool takesRect(Kind kind) {
-  using enum Call::Kind;
-  return kind == fill || kind == clear || kind == leave || kind == unload || kind == reload || kind == reloadEmpty;
-}
-bool takesNumber(Kind kind) {
-  using enum Call::Kind;
-  return kind == commit || kind == goBack || kind == goForward || kind == forget || kind == reload || kind == repeat ||
-         kind == follow;
-}
 
 // --- Printing
 
@@ -69,7 +49,7 @@ std::string print(const Shape& shape) {
 
 std::string print(const Coming& coming, Kind kind) {
   std::string text;
-  if (placesSomewhere(kind)) text += print(coming.cell);
+  if (has(kind, KindOfCall::cell)) text += print(coming.cell);
   if (kind != Kind::shape) text += fmt::format(" {}", coming.block);
   const bool isBare = kind == Kind::add && coming.shape[0].empty();
   if (!isBare) text += coming.id != 0 ? fmt::format("  id {}", coming.id) : print(coming.shape);
@@ -108,11 +88,6 @@ Fault readOneOf(std::string_view word, std::string_view what, const std::array<c
   which = static_cast<std::size_t>(found - names.begin());
   if (found != names.end()) return {};
   return fmt::format("the {} is one of {}, not {}", what, fmt::join(names, ", "), quote(word));
-}
-
-template <class Integer>
-Fault readAny(std::string_view word, std::string_view what, Integer& out) {
-  return readNumber(word, what, std::numeric_limits<Integer>::min(), std::numeric_limits<Integer>::max(), out);
 }
 
 Fault readNamed(std::string_view word, Named& out) {
@@ -209,7 +184,7 @@ class Reader {
         out.names.emplace_back(name);
       }
     }
-    if (placesSomewhere(kind)) cell(out.cell);
+    if (has(kind, KindOfCall::cell)) cell(out.cell);
     if (kind != Kind::shape) number("block", out.block);
     if (kind == Kind::setBlock) return;
     if (kind != Kind::add && take("id"))
@@ -249,84 +224,7 @@ class Reader {
 
 }  // namespace
 
-std::string wordFor(Kind kind) { return kWords[static_cast<std::size_t>(kind)]; }
-
-std::string quote(std::string_view word) {
-  constexpr std::size_t kShown = 40;
-  return word.size() <= kShown ? fmt::format("'{}'", word) : fmt::format("'{}…'", word.substr(0, kShown));
-}
-
-Fault readInteger(std::string_view word, std::string_view what, std::int64_t min, std::int64_t max, std::int64_t& out) {
-  const std::string_view digits = word.starts_with('-') ? word.substr(1) : word;
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
-    return fmt::format("the {} {} is not an integer", what, quote(word));
-  }
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), out);
-  if (status != std::errc() || end != word.data() + word.size() || out < min || out > max) {
-    return fmt::format("the {} {} is out of range, which is {} to {}", what, quote(word), min, max);
-  }
-  return {};
-}
-
-namespace {
-
-template <class Vertex, class Parse>
-Fault readPointsBy(Words words, std::string_view of, Parse parse, std::vector<Vertex>& out) {
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    const auto units = parse(words[k]);
-    if (!units) {
-      return fmt::format("the {} of vertex {}{}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, of, quote(words[k]),
-                         units.error());
-    }
-    if (k % 2 == 0) {
-      out.push_back({*units, 0});
-    } else {
-      out.back().y = *units;
-    }
-  }
-  return {};
-}
-
-Fault readRing(Words words, std::size_t number, std::vector<Point>& out) {
-  if (words.empty()) return fmt::format("ring {} has no coordinates", number);
-  if (words.size() % 2 != 0)
-    return fmt::format("ring {} has {} coordinates: they come in pairs x y, so one is missing or one too many", number,
-                       words.size());
-  return readPoints(words, fmt::format(" of ring {}", number), out);
-}
-
-}  // namespace
-
-Fault readPoints(Words words, std::string_view of, std::vector<LocalPoint>& out) {
-  if (words.size() % 2 != 0)
-    return fmt::format("{} coordinates: they come in pairs x y, so one is missing or one too many", words.size());
-  return readPointsBy(words, of, parseCoordinate, out);
-}
-
-Fault readPoints(Words words, std::string_view of, std::vector<Point>& out) {
-  return readPointsBy(words, of, parseWorldCoordinate, out);
-}
-
-Fault readBrush(Words words, BrushEdit& brush) {
-  std::size_t first = 1;
-  if (words[0] == "paint") {
-    if (words.size() < 3) return "paint needs a block, and fill or replace, before its coordinates";
-    if (Fault fault = readAny(words[1], "block", brush.block); !fault.empty()) return fault;
-    if (words[2] != "fill" && words[2] != "replace")
-      return fmt::format("paint is in the mode fill or replace, not {}", quote(words[2]));
-    brush.deed = words[2] == "fill" ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
-    first = 3;
-  }
-  for (std::size_t k = first; k <= words.size();) {
-    const std::size_t end = static_cast<std::size_t>(
-        std::find(words.begin() + static_cast<std::ptrdiff_t>(k), words.end(), "|") - words.begin());
-    const Words ring = words.subspan(k, end - k);
-    const std::size_t number = brush.rings.size();
-    if (Fault fault = readRing(ring, number, brush.rings.emplace_back()); !fault.empty()) return fault;
-    k = end + 1;
-  }
-  return {};
-}
+std::string wordFor(Kind kind) { return kKindsOfCalls[static_cast<std::size_t>(kind)].word; }
 
 std::string printCall(const Call& call) {
   const Kind kind = call.kind;
@@ -335,7 +233,7 @@ std::string printCall(const Call& call) {
   if (kind == Kind::add) text += " " + (call.name().empty() ? "-" : call.name());
   if (kind == Kind::group) text += fmt::format(" {}", kKeeps[static_cast<std::size_t>(call.keeps)]);
   if (kind == Kind::exchange) text += print(call.cells.min);
-  if (takesRect(kind)) text += print(call.cells.min) + print(call.cells.max);
+  if (has(kind, KindOfCall::rect)) text += print(call.cells.min) + print(call.cells.max);
   for (const Named& named : call.goes) text += print(named);
   if (kind == Kind::exchange && !call.comes.empty()) text += " with";
   for (const Coming& coming : call.comes) text += (&coming == call.comes.data() ? "" : " ;") + print(coming, kind);
@@ -344,7 +242,7 @@ std::string printCall(const Call& call) {
     if (call.offset != 0) text += fmt::format(" {}", call.offset);
   }
   if (call.room != 0) text += fmt::format("  room {}", call.room);
-  if (takesNumber(kind) && (call.nth != 0 || (kind != Kind::commit && kind != Kind::reload)))
+  if (has(kind, KindOfCall::number) && (call.nth != 0 || (kind != Kind::commit && kind != Kind::reload)))
     text += fmt::format(" {}", call.nth);
   if (kind == Kind::goBack && call.keeps != Call::Keeps::never) text += " keep";
   for (const Call& part : call.group) text += "\n" + printCall(part);
@@ -363,11 +261,13 @@ Fault readCall(Words words, Call& call) {
     if (!call.brush.isEvenOdd) region = region.first(region.size() - 1);
     return readBrush(region, call.brush);
   }
-  const auto found = std::ranges::find(kWords, first);
-  if (found == kWords.end())
-    return fmt::format("unknown word {}; a line starts with one of {}, carve, end or #", quote(first),
-                       fmt::join(kWords, ", "));
-  call.kind = static_cast<Kind>(found - kWords.begin());
+  const auto found = std::ranges::find(kKindsOfCalls, first, &KindOfCall::word);
+  if (found == kKindsOfCalls.end()) {
+    std::string known;
+    for (const KindOfCall& each : kKindsOfCalls) known += fmt::format("{}, ", each.word);
+    return fmt::format("unknown word {}; a line starts with one of {}carve, end or #", quote(first), known);
+  }
+  call.kind = static_cast<Kind>(found - kKindsOfCalls.begin());
   const Kind kind = call.kind;
   Reader in(words);
   if (kind == Kind::group) call.keeps = static_cast<Call::Keeps>(in.oneOf("end of a group", kKeeps));
@@ -375,15 +275,13 @@ Fault readCall(Words words, Call& call) {
     in.cell(call.cells.min);
     call.cells.max = call.cells.min;
   }
-  if (takesRect(kind)) in.rect(call.cells);
+  if (has(kind, KindOfCall::rect)) in.rect(call.cells);
   if (kind == Kind::remove || kind == Kind::setBlock) in.named(call.goes.emplace_back());
   if (kind == Kind::removeMany || kind == Kind::exchange)
     while (in.isGood() && !in.isAtEnd() && !in.is("with") && !in.is("room")) in.named(call.goes.emplace_back());
   const bool isOfMany = (kind == Kind::addMany && !in.isAtEnd() && !in.is("in") && !in.is("room")) ||
                         (kind == Kind::exchange && in.take("with"));
-  const bool isOfOne = kind == Kind::shape || kind == Kind::add || kind == Kind::addShape || kind == Kind::replace ||
-                       kind == Kind::fill || kind == Kind::setBlock;
-  if (isOfMany || isOfOne) {
+  if (isOfMany || has(kind, KindOfCall::one)) {
     do in.coming(call.comes.emplace_back(), kind);
     while (in.isGood() && isOfMany && in.take(";"));
   }
@@ -392,13 +290,11 @@ Fault readCall(Words words, Call& call) {
     if (!in.isAtEnd() && !in.is("room")) in.number("offset", call.offset);
     if (in.isGood() && call.offset >= kOffsets) in.fail(fmt::format("offsets are 0 to {}", kOffsets - 1));
   }
-  const bool hasRoom =
-      kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace || kind == Kind::exchange;
-  if (in.isGood() && hasRoom && in.take("room")) {
+  if (in.isGood() && has(kind, KindOfCall::room) && in.take("room")) {
     in.number("room", call.room);
     if (in.isGood() && call.room > 3) in.fail("the room for handles is 0 to 3");
   }
-  if (takesNumber(kind) && !in.isAtEnd()) in.number("number", call.nth);
+  if (has(kind, KindOfCall::number) && !in.isAtEnd()) in.number("number", call.nth);
   if (in.isGood() && kind == Kind::repeat && call.nth > 1'000) in.fail("calls are repeated 1000 times at most");
   if (in.isGood() && kind == Kind::goBack && in.take("keep")) call.keeps = Call::Keeps::always;
   if (Fault fault = in.end(); !fault.empty()) return fault;

@@ -3,6 +3,7 @@
 
 #include "oracle/calls/call.h"
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,10 @@ Fault readNumber(std::string_view word, std::string_view what, Integer min, Inte
   if (Fault fault = readInteger(word, what, min, max, read); !fault.empty()) return fault;
   out = static_cast<Integer>(read);
   return {};
+}
+template <class Integer>
+Fault readAny(std::string_view word, std::string_view what, Integer& out) {
+  return readNumber(word, what, std::numeric_limits<Integer>::min(), std::numeric_limits<Integer>::max(), out);
 }
 
 }  // namespace lgs::oracle

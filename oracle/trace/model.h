@@ -78,8 +78,11 @@ class Model {
   /// since they left.
   std::size_t mayStay(const CellRect& cells) const;
 
-  /// Of a cell, or of a rectangle.
   static Cell chunkOf(Cell cell) { return {cell.i >> 5, cell.j >> 5}; }
+  static CellRect cellsOfChunk(Cell chunk) {
+    return {{32 * chunk.i, 32 * chunk.j}, {32 * chunk.i + 31, 32 * chunk.j + 31}};
+  }
+  static std::vector<Cell> cellsOf(const CellRect& rect);  ///< by rows
 
   using Content = std::map<Cell, std::vector<Standing::Placed>>;  ///< of a chunk
   struct Given {

@@ -26,7 +26,7 @@ class BrushesLaw : public Law {
     const Brushed& done = seen.library->player().brushed();
     if (std::string wrong = wrongReach(brush, done); !wrong.empty())
       return seen.mismatch(Mismatch::Kind::reach, std::move(wrong));
-    if (!seen.options.cgal || !brush.staying.empty()) return std::nullopt;
+    if (!seen.options.cgal) return std::nullopt;
     ++seen.stats.brushed;
     auto far = farFromExact(before_, brush, sceneOf(seen.model().standing(), near(brush)));
     if (!far) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "oracle/check/laws/list.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -33,17 +34,35 @@ class CellsLaw : public Law {
     if (kind == follow) isOn_ = judged.call.nth % 2 != 0;
     if (kind == follow) told_ = cellsOf(seen.world());
     if (kind == load) isOn_ = false;
-    return isOn_ && (kind == goBack || kind == goForward) ? listen(seen) : std::nullopt;
+    return std::nullopt;
   }
+
+  Found afterTravel(Seen& seen) override { return isOn_ ? listen(seen) : std::nullopt; }
 
   Found afterCommit(Seen& seen) override {
     if (!isOn_) return std::nullopt;
     if (auto found = listen(seen)) return found;
-    if (told_ == cellsOf(seen.world())) return std::nullopt;
+    if (isTold(seen.world())) return std::nullopt;
     return seen.mismatch(Mismatch::Kind::changes, "cellChanges() does not tell of a cell that changed");
   }
 
  private:
+  bool isTold(const World& world) const {
+    std::map<Cell, std::size_t> met;
+    const auto isNext = [&](Cell cell, const PlacedPolygon& p) {
+      const auto told = told_.find(cell);
+      if (told == told_.end()) return false;
+      const std::size_t k = met[cell]++;
+      if (k >= told->second.size()) return false;
+      const auto& [handle, block, vertices] = told->second[k];
+      return handle == p.handle && block == p.block && std::ranges::equal(vertices, p.vertices);
+    };
+    bool areAll = true;
+    world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) { areAll = areAll && isNext(cell, p); });
+    return areAll &&
+           std::ranges::all_of(told_, [&](const auto& entry) { return met[entry.first] == entry.second.size(); });
+  }
+
   Found listen(Seen& seen) {
     std::set<Cell> named;
     for (const CellChange& change : seen.world().cellChanges()) {

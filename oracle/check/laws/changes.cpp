@@ -9,9 +9,7 @@ namespace {
 
 class ChangesLaw : public Law {
  public:
-  Found after(Seen& seen, const Judged& judged, bool isRefused) override {
-    const Call::Kind kind = judged.call.kind;
-    if (isRefused || (kind != Call::Kind::goBack && kind != Call::Kind::goForward)) return std::nullopt;
+  Found afterTravel(Seen& seen) override {
     return keepUp(seen, seen.isPending() ? Mirror::After::goingBackToPending : Mirror::After::goingBack);
   }
 

@@ -1,6 +1,7 @@
 // Law 4, no history: a new world with the same polygons, added in another order and by other calls, and committed at
 // once, has the same outline.
 #include "oracle/check/laws/list.h"
+#include "oracle/check/questions.h"
 #include "oracle/check/refusal.h"
 #include "oracle/generate/forms.h"
 
@@ -33,7 +34,7 @@ class HistoryLaw : public Law {
   Found atEnd(Seen& seen) override {
     if (!seen.model().isWhole()) return std::nullopt;
     const Scene scene = seen.scene();
-    const Outline before = seen.engine.outline();
+    const Outline before = seen.shown();
     return seen.library != nullptr ? ofLibrary(seen, scene, before) : ofEngine(seen, scene, before);
   }
 
@@ -47,7 +48,9 @@ class HistoryLaw : public Law {
         return seen.mismatch(Mismatch::Kind::history,
                              "added in another order, a polygon is refused: " + done.error().text);
     fresh.commit(kLastFirst);
-    return seen.differing(Mismatch::Kind::history, scene, outlineOf(fresh.world()), before);
+    if (auto found = seen.differing(Mismatch::Kind::history, scene, outlineOf(fresh.world()), before)) return found;
+    std::string wrong = wrongComparison(seen.world(), std::move(fresh.world()));
+    return wrong.empty() ? std::nullopt : Found(seen.mismatch(Mismatch::Kind::reading, std::move(wrong)));
   }
 
   static Found ofEngine(Seen& seen, const Scene& scene, const Outline& before) {

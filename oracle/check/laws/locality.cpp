@@ -4,8 +4,8 @@
 #include "oracle/reference/vector.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
+#include <vector>
 
 namespace lgs::oracle {
 namespace {
@@ -24,9 +24,9 @@ CellSet cellsAt(Point p) {
 class LocalityLaw : public Law {
  public:
   Found afterCommit(Seen& seen) override {
-    std::map<SegmentId, Segment> now;
+    std::vector<Segment> now;  // by id, in which order the world lists them (law 6)
     const World& world = seen.world();
-    for (const SegmentId id : world.segments()) now.emplace(id, *world.segment(id));
+    for (const SegmentId id : world.segments()) now.push_back(*world.segment(id));
     const auto before = std::exchange(before_, now);
     if (seen.isAnywhere) return std::nullopt;
     const auto isEdited = [&](Cell cell) { return seen.edited.contains(cell); };
@@ -38,26 +38,33 @@ class LocalityLaw : public Law {
       return std::ranges::any_of(cellsAt(s.start), [&](Cell cell) { return isEdited(cell) && there.contains(cell); });
     };
     const Changes& changes = seen.library->changes();
-    const auto lies = [](const auto& is, const std::map<SegmentId, Segment>& in) {
-      return [&is, &in](SegmentId id) { return in.contains(id) && is(in.at(id)); };
+    const auto lies = [](const auto& is, const std::vector<Segment>& in) {
+      return [&is, &in](SegmentId id) {
+        const Segment* const s = find(in, id);
+        return s != nullptr && is(*s);
+      };
     };
     const char* what = nullptr;
     if (!std::ranges::all_of(changes.removed, lies(isAt, before))) what = "removed";
     if (!std::ranges::all_of(changes.added, lies(isAt, now))) what = "added";
     if (!std::ranges::all_of(changes.relinked, lies(isNear, now))) what = "relinked";
     // A link can change where the ghost does not, which no list says.
-    for (const auto& [id, old] : before) {
-      if (isNear(old)) continue;
-      const auto s = now.find(id);
-      if (s == now.end() || s->second.predecessor != old.predecessor || s->second.successor != old.successor)
-        what = "another one";
+    for (const Segment& old : before) {
+      const Segment* const s = find(now, old.id);
+      const bool isSame = s != nullptr && s->predecessor == old.predecessor && s->successor == old.successor;
+      if (!isSame && !isNear(old)) what = "another one";
     }
     if (what == nullptr) return std::nullopt;
     return seen.mismatch(Mismatch::Kind::changes, std::string("a segment far from the edits is ") + what);
   }
 
  private:
-  std::map<SegmentId, Segment> before_;
+  static const Segment* find(const std::vector<Segment>& in, SegmentId id) {
+    const auto at = std::ranges::lower_bound(in, id, {}, &Segment::id);
+    return at != in.end() && at->id == id ? &*at : nullptr;
+  }
+
+  std::vector<Segment> before_;
 };
 
 }  // namespace

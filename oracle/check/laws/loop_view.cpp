@@ -21,12 +21,12 @@ auto factsOf(const lgs::Loops& loops) {
 
 class LoopViewLaw : public Law {
  public:
-  Found after(Seen& seen, const Judged& judged, bool isRefused) override {
-    using enum Call::Kind;
-    const Call::Kind kind = judged.call.kind;
-    if (kind == load && !isRefused) view_.reset();
-    return !isRefused && (kind == goBack || kind == goForward) ? keepUp(seen) : std::nullopt;
+  Found after(Seen&, const Judged& judged, bool isRefused) override {
+    if (judged.call.kind == Call::Kind::load && !isRefused) view_.reset();
+    return std::nullopt;
   }
+
+  Found afterTravel(Seen& seen) override { return keepUp(seen); }
 
   Found afterCommit(Seen& seen) override { return keepUp(seen); }
 

@@ -15,10 +15,14 @@ constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
 
 // Lists grow in the first rounds. Records of cells come in pages of 2^16 words: what the cells of a chunk that is empty
 // again keep, two words each, fills one after 32 rounds.
-constexpr int kFirst = 3, kFew = 4, kMany = 44;
+constexpr int kFirst = 2, kFew = 3, kMany = 44;
 
-bool makesLists(const Told& told) {
-  return told.call.kind == Call::Kind::reloadEmpty && !told.outcome.refusal && told.outcome.count > 0;
+// Whether the cells of a chunk may keep lists: it came back empty, and a cell has had more polygons than a word counts.
+bool areListsLeft(const Player& player) {
+  constexpr std::size_t kCounted = 255;
+  return player.past().size() > kCounted && std::ranges::any_of(player.past(), [](const auto& told) {
+           return told->call.kind == Call::Kind::reloadEmpty && told->outcome.count > 0;
+         });
 }
 
 // Of chunks that nobody needs only the rim is known: 12 bytes for a run of its 124 cells, and some more.
@@ -34,10 +38,7 @@ std::string wrongSleep(World world) {
   return fmt::format("{} chunks that nobody needs take {} bytes", asleep.chunks, asleep.bytes - left.bytes);
 }
 
-std::string wrongMemory(const Player& player) {
-  constexpr std::size_t kLists = 256;  // polygons that come and go in a cell before it needs a list
-  const bool isLong = player.past().size() > kLists &&
-                      std::ranges::any_of(player.past(), [](const auto& told) { return makesLists(*told); });
+std::string wrongMemory(const Player& player, bool isLong) {
   const int rounds = isLong ? kMany : kFew;
   World world(relationOf(player.preserve()));
   std::uint64_t first = 0;
@@ -69,7 +70,7 @@ class MemoryLaw : public Law {
   Found atEnd(Seen& seen) override {
     const Player& player = seen.library->player();
     if (!player.isOfOnePast()) return std::nullopt;
-    std::string wrong = wrongMemory(player);
+    std::string wrong = wrongMemory(player, areListsLeft(player));
     return wrong.empty() ? std::nullopt : Found(seen.mismatch(Mismatch::Kind::memory, std::move(wrong)));
   }
 };

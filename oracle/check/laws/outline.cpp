@@ -6,17 +6,15 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace lgs::oracle {
 namespace {
 
 class OutlineLaw : public Law {
  public:
-  Found after(Seen& seen, const Judged& judged, bool isRefused) override {
-    const Call::Kind kind = judged.call.kind;
-    const bool hasTravelled = kind == Call::Kind::goBack || kind == Call::Kind::goForward;
-    return hasTravelled && !isRefused && !seen.isPending() ? compareWhole(seen, false) : std::nullopt;
-  }
+  Found afterTravel(Seen& seen) override { return seen.isPending() ? std::nullopt : compareWhole(seen, false); }
 
   Found afterCommit(Seen& seen) override {
     lastWasWhole_ = seen.isWhole;
@@ -34,21 +32,24 @@ class OutlineLaw : public Law {
   }
 
   // The union and the loops take longest, so they can be left out.
-  static Found compareWhole(Seen& seen, bool withUnion) {
+  Found compareWhole(Seen& seen, bool withUnion) {
     ++seen.stats.whole;
-    const Outline actual = seen.engine.outline();
+    const Outline& actual = seen.shown();
     const Scene all = seen.scene();
     if (seen.options.naive) {
       ++seen.stats.naive;
-      if (auto found = seen.differing(Mismatch::Kind::naive, all, shown(seen.model(), seen.naive(all).outline), actual))
+      if (auto found = seen.differing(Mismatch::Kind::naive, all, shown(seen.model(), seen.whole()), actual))
         return found;
     }
     if (!withUnion || !seen.options.cgal || !seen.model().isWhole()) return std::nullopt;
-    const auto united = cgalUnion(all);
-    if (!united) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
-    if (auto found = compareUnion(seen, all, *united, actual, nullptr)) return found;
+    if (!united_ || all.polygons != of_) {  // a commit of nothing, or of what was undone, takes no second union
+      united_ = cgalUnion(all);
+      of_ = all.polygons;
+    }
+    if (!united_) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
+    if (auto found = compareUnion(seen, all, *united_, actual, nullptr)) return found;
     const bool hasLoops = seen.library != nullptr && seen.trace.preserve.empty();
-    return hasLoops ? compareLoops(seen, canonical(united->loops)) : std::nullopt;
+    return hasLoops ? compareLoops(seen, canonical(united_->loops)) : std::nullopt;
   }
 
   static Found compareLoops(Seen& seen, const Loops& expected) {
@@ -89,6 +90,8 @@ class OutlineLaw : public Law {
   }
 
   bool lastWasWhole_ = false;
+  std::optional<CgalUnion> united_;
+  std::vector<ScenePolygon> of_;  // these polygons
 };
 
 }  // namespace

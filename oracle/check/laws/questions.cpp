@@ -13,11 +13,19 @@ class QuestionsLaw : public Law {
   Found nowAndThen(Seen& seen) override {
     constexpr std::size_t kAtLeast = 3;
     const Scene scene = seen.scene();
-    const Outline& whole = seen.naive(scene).outline;
+    const Outline& whole = seen.whole();
     Random random(whole.size());
     const std::size_t count = std::max(seen.options.questions, kAtLeast);
-    std::string wrong = wrongAnswers(seen.world(), scene, whole, random, count);
-    if (wrong.empty()) wrong = wrongComparison(seen.world());
+    return found(seen, wrongAnswers(seen.world(), scene, whole, random, count));
+  }
+
+  // Of a world that is in memory as a whole the law of history compares more.
+  Found atEnd(Seen& seen) override {
+    return seen.model().isWhole() ? std::nullopt : found(seen, wrongComparison(seen.world(), World(seen.world())));
+  }
+
+ private:
+  static Found found(const Seen& seen, std::string wrong) {
     return wrong.empty() ? std::nullopt : Found(seen.mismatch(Mismatch::Kind::reading, std::move(wrong)));
   }
 };

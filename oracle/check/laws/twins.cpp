@@ -91,9 +91,9 @@ class Twin {
     world_.commit();
   }
 
-  Found compare(const Seen& seen) const {
+  Found compare(Seen& seen) const {
     if (isOver_ || !seen.model().isWhole()) return std::nullopt;
-    Outline expected = seen.engine.outline(), actual = outlineOf(world_);
+    Outline expected = seen.shown(), actual = outlineOf(world_);
     for (Outline* outline : {&expected, &actual})
       if (way_.isCut) std::erase_if(*outline, [&](const OutlineSegment& s) { return cellOf(s).i > *last_; });
     for (OutlineSegment& s : expected) s = mapped(s);

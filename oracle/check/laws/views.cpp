@@ -1,4 +1,5 @@
-// Law 15: views of loops, islands, pieces and hashes that follow the world are their full recompute.
+// Law 15: views of loops, islands, pieces and hashes that follow the world are their full recompute, until a chunk leaves
+// memory: the recompute knows what is there alone.
 #include "oracle/check/laws/list.h"
 #include "oracle/views/ground_hashes.h"
 #include "oracle/views/island_check.h"
@@ -17,14 +18,18 @@ class ViewsLaw : public Law {
   Found after(Seen& seen, const Judged& judged, bool isRefused) override {
     using enum Call::Kind;
     const Call::Kind kind = judged.call.kind;
+    isAsked_ = isAsked_ && !seen.wasAway;
     if (!isAsked_ || isRefused) return std::nullopt;
     if (kind == load || kind == Call::Kind::follow) {  // a world that was loaded follows nothing
       views_.reset();
       isAsked_ = begins(seen);
     }
-    if (kind != goBack && kind != goForward) return std::nullopt;
+    return std::nullopt;
+  }
+
+  Found afterTravel(Seen& seen) override {
     if (seen.isPending()) views_.reset();  // what follows from the outline of then is not that of the polygons
-    return views_ ? look(seen) : std::nullopt;
+    return isAsked_ && views_ ? look(seen) : std::nullopt;
   }
 
   Found afterCommit(Seen& seen) override {

@@ -1,0 +1,157 @@
+// What an editor does that is no plain edit: any call at all, strokes, moves in time and in memory.
+#include "oracle/generate/editor.h"
+#include "oracle/generate/strokes.h"
+
+#include <lgs/world.h>
+#include <algorithm>
+
+namespace lgs::oracle {
+
+Call Editor::anyEdit(Cell cell) {
+  Habits habits{.width = 3, .height = 3, .hostilePercent = habits_.hostilePercent};
+  const auto notEdits = habits.weights.begin() + static_cast<std::ptrdiff_t>(Call::Kind::group);
+  std::fill(notEdits, habits.weights.end(), 0);
+  return tidied(movedBy(drawCall(random_, habits), cell));
+}
+
+void Editor::any(Cell cell) { make(anyEdit({cell.i - 1, cell.j - 1})); }
+
+void Editor::stroke(Cell cell) {
+  for (Call& call : strokeAt(cell, habits_.blocks, random_)) make(std::move(call));
+}
+
+void Editor::travel(Cell cell) {
+  using enum Call::Kind;
+  const Cell from{cell.i - 1, cell.j - 1};
+  const auto time = [&](Call::Kind kind, std::uint32_t nth = 0, bool keeps = false) {
+    Call call = Call::of(kind);
+    call.nth = nth;
+    call.keeps = keeps ? Call::Keeps::always : Call::Keeps::never;
+    make(tidied(std::move(call)));
+  };
+  const auto someEdits = [&](int most) {
+    for (int k = 1 + random_.below(most); k > 0; --k) make(anyEdit(from));
+  };
+  const std::uint32_t nth = random_.below(8U);
+  const bool keeps = random_.chance(60);
+  constexpr std::size_t kManyMarks = 6;
+  if (model_.marks() > kManyMarks) time(forget, nth);
+  switch (random_.below(12)) {
+    case 0:
+    case 1:
+      return model_.hasMarks() && random_.chance(40) ? time(goBack, nth, keeps) : time(mark);
+    case 2:
+      return time(goForward, nth);
+    case 3:
+      return time(forget, nth);
+    case 4:
+      return random_.chance(30) ? time(follow, random_.below(2U)) : time(copy);
+    case 5:
+      return time(load);
+    case 6:
+    case 7: {  // a group
+      Call call = Call::of(group);
+      call.keeps = static_cast<Call::Keeps>(random_.below(3));
+      for (int k = 1 + random_.below(4); k > 0; --k) call.group.push_back(anyEdit(from));
+      return make(std::move(call));
+    }
+    case 8:  // wrong edits, and back at once
+    case 9:
+      time(mark);
+      someEdits(3);
+      if (random_.chance(60)) time(commit);
+      if (random_.chance(20)) time(mark);
+      time(goBack, static_cast<std::uint32_t>(model_.marks()) - 1, keeps);
+      if (keeps && random_.chance(50)) time(goForward, nth);
+      return random_.chance(70) ? time(forget, nth) : void();
+    default:  // undo and redo, step by step
+      for (int k = 2 + random_.below(2); k > 0; --k) {
+        time(mark);
+        someEdits(2);
+        time(commit);
+      }
+      time(goBack, nth, true);
+      if (random_.chance(30)) time(goBack, random_.below(8U), true);
+      if (random_.chance(30)) someEdits(1);
+      time(goForward, random_.below(2U));
+      return random_.chance(50) ? time(commit) : void();
+  }
+}
+
+void Editor::remember(Cell cell) {
+  using enum Call::Kind;
+  const auto chunks = [&](Call::Kind kind) {
+    Call call = Call::of(kind);
+    if (kind == reload) cell = random_.pick(habits_.cells);
+    const std::int32_t wide = 32 * random_.below(2), high = 32 * random_.below(2);
+    const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+    call.cells = {{inside(cell.i & ~31), inside(cell.j & ~31)},
+                  {inside((cell.i & ~31) + 31 + wide), inside((cell.j & ~31) + 31 + high)}};
+    if (random_.chance(20)) call.cells.min = {inside(call.cells.min.i - 64), inside(call.cells.min.j - 64)};
+    if (random_.chance(5)) ++call.cells.min.i;  // not all of them
+    call.nth = random_.below(2U);
+    make(tidied(std::move(call)));
+  };
+  const auto commits = [&] {
+    if (random_.chance(60)) make(Call::commit());
+  };
+  const auto forgetMarks = [&] {  // while there are some nothing is forgotten
+    while (model_.hasMarks() && random_.chance(95)) make(Call::of(forget));
+  };
+  switch (random_.below(11)) {
+    case 0:
+    case 1:
+    case 2:
+      return chunks(unload);
+    case 3:
+    case 4:
+      return chunks(reload);
+    case 5:
+      return chunks(reloadEmpty);
+    case 6:
+      forgetMarks();
+      commits();
+      return chunks(leave);
+    case 7: {  // all of it sleeps, and some of it wakes
+      forgetMarks();
+      Call all = Call::of(unload);
+      const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+      all.cells = {{inside((cell.i & ~31) - 64), inside((cell.j & ~31) - 64)},
+                   {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
+      make(all);
+      make(Call::commit());
+      if (random_.chance(80)) chunks(reload);
+      return random_.chance(50) ? chunks(reload) : void();
+    }
+    case 8: {  // so much comes and goes that a cell needs a list
+      Call call = Call::of(repeat), square = Call::of(addShape), gone = Call::of(clear);
+      square.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
+      gone.cells = {cell, cell};
+      call.nth = 250U + random_.below(16U);
+      call.group = {square, gone};
+      if (near_.in(cell).empty()) make(std::move(call));
+      return;
+    }
+    case 9: {  // a cell of many polygons leaves, and comes back
+      constexpr std::int32_t kSide = kUnitsPerCell / 4;
+      Call many = Call::of(addShape);
+      many.comes = {{.cell = cell, .block = random_.pick(habits_.blocks)}};
+      for (std::int32_t k = 0; k < 16; ++k) {
+        const std::int32_t x = k % 4 * kSide, y = k / 4 * kSide;
+        many.comes[0].shape.push_back({{x, y}, {x + kSide, y}, {x + kSide, y + kSide}, {x, y + kSide}});
+      }
+      if (near_.in(cell).empty()) make(std::move(many));
+      chunks(unload);
+      commits();
+      return chunks(reload);
+    }
+    default:  // leaves a place, and what was unloaded there
+      forgetMarks();
+      chunks(unload);
+      make(Call::commit());
+      chunks(leave);
+      return random_.chance(50) ? chunks(reload) : void();
+  }
+}
+
+}  // namespace lgs::oracle
