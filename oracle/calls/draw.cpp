@@ -10,9 +10,11 @@
 #include <utility>
 
 namespace lgs::oracle {
-namespace {
 
 using Kind = Call::Kind;
+
+namespace {
+
 constexpr std::int32_t kUnit = kUnitsPerCell;
 constexpr std::uint32_t kNoShape = 4'711;  // where the call itself makes shapes, other ids may become known
 

@@ -5,9 +5,11 @@
 #include <vector>
 
 namespace lgs::oracle {
-namespace {
 
 using Kind = Call::Kind;
+
+namespace {
+
 using Edits = std::span<const Call>;
 
 constexpr std::size_t kLongest = 300;  // edits of one call: enough to fill a cell

@@ -7,9 +7,11 @@
 #include <array>
 
 namespace lgs::oracle {
-namespace {
 
 using Kind = Call::Kind;
+
+namespace {
+
 using Words = std::span<const std::string_view>;
 
 constexpr std::array<const char*, 4> kNotations{"lattice", "list", "floats", "doubles"};

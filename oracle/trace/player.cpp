@@ -74,7 +74,10 @@ void Player::keepMoment(const Call& call) {
   if (call.kind == Kind::goBack && moments_.hasMarks())
     now_ = moments_.back(call.nth, call.keeps != Call::Keeps::never);
   if (call.kind == Kind::goForward && moments_.hasAhead()) now_ = moments_.forward(call.nth);
-  if (call.kind == Kind::goBack || call.kind == Kind::goForward) turn(away);
+  if (call.kind == Kind::goBack || call.kind == Kind::goForward) {
+    hasTravelled_ = true;
+    turn(away);
+  }
   if (call.kind == Kind::forget && moments_.hasMarks()) moments_.forget(call.nth);
   if (call.kind == Kind::load) moments_.clear();
   hasLeft_ = hasLeft_ || call.kind == Kind::goBack || call.kind == Kind::load || call.kind == Kind::copy;
@@ -134,7 +137,10 @@ Player::Done Player::makeCall(const Judged& judged) {
   if (isDone) {
     if (isEdit(call.kind)) noteEdited(call);
     model_.apply(call, &outcome, &world());
-    if (call.kind == Kind::reload && model_.chunks() != chunks) moments_.happened(Redo::maybe);
+    if (call.kind == Kind::reload && model_.chunks() != chunks) {
+      moments_.happened(Redo::maybe);
+      if (hasTravelled_) isOfOnePast_ = false;  // the bytes may be of what was undone
+    }
     for (const Coming& coming : call.comes)
       for (const std::string& name : coming.names) lost_.erase(name);
     keepMoment(call);

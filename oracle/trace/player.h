@@ -107,6 +107,7 @@ class Player {
   bool hasLeft_ = false;
   bool hasStreamed_ = false;
   bool isOfOnePast_ = true;
+  bool hasTravelled_ = false;
 };
 
 /// Called after each commit; false stops the play.

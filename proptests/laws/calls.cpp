@@ -8,10 +8,12 @@
 #include <ostream>
 
 namespace lgs::test {
+
+using Kind = Call::Kind;
+
 namespace {
 
 using oracle::Habits;
-using Kind = Call::Kind;
 
 Habits only(std::initializer_list<Kind> kinds) {
   Habits habits;

@@ -11,11 +11,13 @@
 #include <algorithm>
 
 namespace lgs::test {
+
+using Kind = Call::Kind;
+
 namespace {
 
 using oracle::areAlike;
 using oracle::Outcome;
-using Kind = Call::Kind;
 
 /// What the parts gave, as the whole call would.
 Outcome together(const Call& call, const Outcome& group) {
