@@ -39,7 +39,7 @@ class Brushed implements BrushResult {
 }
 
 /** What makes a world in the engine: its address, or 0 and a failure. */
-type Maker = (engine: Engine, relation: number, isFloat: number) => number
+export type Maker = (engine: Engine, relation: number, isFloat: number) => number
 
 class EngineWorld implements World {
   #engine: Engine
@@ -314,6 +314,9 @@ class EngineWorld implements World {
 }
 
 export const { placeOf, optionsOf } = EngineWorld
+
+/** For modules of this package: a world that the engine makes in another way. */
+export const worldOf = (make: Maker, options: WorldOptions): World => new EngineWorld(make, options)
 
 /** An empty world. */
 export function createWorld(options: WorldOptions = {}): World {
