@@ -31,6 +31,7 @@ interface Fallen<Body> {
 }
 
 const atRest = ({ i, j }: GroundBody): Motion => ({ x: i, y: j, angle: 0, vx: 0, vy: 0, spin: 0 })
+const mostLand = 65_536
 const names = ['anchors', 'preserve', 'land', 'shelf', 'undoSteps', 'follow'] as const
 
 export abstract class GroundBase<Body> {
@@ -167,8 +168,9 @@ export abstract class GroundBase<Body> {
   window(cells: CellRect): boolean {
     const host = this.#begin(), chunks = chunksAround(cells)
     if (isSame(chunks, this.#window)) return true
+    const { land } = this.#options, chunkCount = ((chunks.i1 - chunks.i0) / 32 + 3) * ((chunks.j1 - chunks.j0) / 32 + 3)
+    if (land && chunkCount > mostLand) throw bad('the window', `at most ${mostLand} chunks, of which land is made,`, cells)
     this.#window = chunks
-    const { land } = this.#options
     const unseen = land ? [...chunksIn(chunksAround(cells, 1))].filter(({ i0, j0 }) => !this.#made.has(keyOf(i0, j0))) : []
     const ends = unseen.length > 0 || !outlivesStreaming()
     if (ends) this.#dropFuture()

@@ -152,7 +152,7 @@ test('what reaches the edge of memory is beyond, and never loose', () => {
   assert.deepEqual(islands.all(), [], 'one is away, the other leads there')
   assert.equal(islands.of(id), beyond)
   assert.deepEqual([islands.loose(), islands.island(beyond)], [[], null])
-  refuses('anchored', () => islands.take(beyond))
+  refuses('stale-handle', () => islands.take(beyond))
   world.clear(33, 3)
   update()
   assert.equal(islands.loose().length, 1, 'it does not lead there any more')
