@@ -1,5 +1,5 @@
 // A Ground on a canvas.
-import { object } from './check.js'
+import { bad, object, reals } from './check.js'
 import type { GroundDrawing, Rock } from './ground-types.js'
 import type { Block } from './types.js'
 
@@ -30,20 +30,23 @@ export class GroundPicture {
   readonly #rocks = new WeakMap<object, Drawn>()
 
   /** It is told what changed by ground.draw(), which nobody else must ask then. `line` is the colour of the outline. */
-  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, colours: Readonly<Record<Block, string>>, line = '#2b2320') {
-    this.#ground = object('ground', 'a Ground', ground)
+  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, colours: Readonly<Record<Block, string>>, line: string = '#2b2320') {
+    if (typeof ground?.draw !== 'function' || typeof ground.rocks !== 'function') throw bad('ground', 'a Ground', ground)
+    if (typeof line !== 'string') throw bad('line', 'a colour', line)
+    this.#ground = ground
     this.#colours = object('colours', 'a colour for each block', colours)
     this.#line = line
   }
 
   /** The transform is that of a context, from cells to pixels: [scale, 0, 0, -scale, 0, height] for y up. */
   draw(context: CanvasRenderingContext2D, transform: readonly [number, number, number, number, number, number]): void {
+    const numbers = reals('transform', transform)
     for (const { key, fills, lines } of this.#ground.draw()) {
       if (fills.length === 0 && lines.length === 0) this.#squares.delete(key)
       else this.#squares.set(key, { outline: pathOf(lines, false), fills: byBlock(fills) })
     }
     context.save()
-    context.setTransform(...transform)
+    context.setTransform(...(numbers as [number, number, number, number, number, number]))
     context.lineJoin = context.lineCap = 'round'
     for (const { fills } of this.#squares.values()) this.#fill(context, fills)
     for (const { outline } of this.#squares.values()) this.#stroke(context, outline, 0.07)

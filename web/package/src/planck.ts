@@ -1,7 +1,7 @@
 // Terrain for planck: the outline of a world as static edges with ghost vertices, kept up to date there.
 // Each segment is one fixture. It is on the body of its chunk of cells. docs/box2d.md tells the same story for Box2D.
 // planck's edges push to both sides. Here they are one-sided, as in Box2D: what comes from the solid's side passes.
-import { type Body, type Contact, EdgeShape, type Fixture, type Vec2Value, WorldManifold, type World as Physics } from 'planck'
+import { type AABBValue, type Body, type Contact, EdgeShape, type Fixture, type Vec2Value, WorldManifold, type World as Physics } from 'planck'
 import { isPhysics, PlanckBodies } from './planck-bodies.js'
 import type { Material } from './planck-bodies.js'
 import type { CommonOptions, EdgeChanges, Point } from './terrain.js'
@@ -137,7 +137,7 @@ class Edges extends PlanckBodies implements Adapter<Body, Material> {
     }
     for (const number of left) if (this.#chunks[number]!.fixtures === 0) this.#destroyChunk(number)
     // planck itself wakes what touched a fixture that is destroyed.
-    if (!this.isAlone()) for (let k = 0; k < length; ++k) this.#wakeAround(this.#edges[changes.id(k)]!.fixture)
+    if (!this.isAlone()) this.#wakeAround(changes)
   }
 
   clear(): void {
@@ -218,11 +218,31 @@ class Edges extends PlanckBodies implements Adapter<Body, Material> {
     --this.#bodyCount
   }
 
-  #wakeAround(fixture: Fixture): void {
-    this.physics.queryAABB(fixture.getAABB(0), (near) => {
-      const body = near.getBody()
-      if (!body.isStatic()) body.setAwake(true)
-      return true
+  /** Those that are near one of the edges, if anybody is near all of them. */
+  #wakeAround(changes: EdgeChanges): void {
+    const { length } = changes
+    if (length === 0) return
+    const all = { lowerBound: { x: Infinity, y: Infinity }, upperBound: { x: -Infinity, y: -Infinity } }
+    const boxes: AABBValue[] = []
+    for (let k = 0; k < length; ++k) {
+      const box = this.#edges[changes.id(k)]!.fixture.getAABB(0), { lowerBound: a, upperBound: b } = box
+      boxes.push(box)
+      if (a.x < all.lowerBound.x) all.lowerBound.x = a.x
+      if (a.y < all.lowerBound.y) all.lowerBound.y = a.y
+      if (b.x > all.upperBound.x) all.upperBound.x = b.x
+      if (b.y > all.upperBound.y) all.upperBound.y = b.y
+    }
+    let isSomebody = false
+    this.physics.queryAABB(all, (near) => {
+      isSomebody = !near.getBody().isStatic()
+      return !isSomebody
     })
+    if (!isSomebody) return
+    for (const box of boxes)
+      this.physics.queryAABB(box, (near) => {
+        const body = near.getBody()
+        if (!body.isStatic()) body.setAwake(true)
+        return true
+      })
   }
 }

@@ -6,7 +6,7 @@ import { Ground, Islands } from 'localgridseg/islands'
 import { Pieces } from 'localgridseg/pieces'
 import { FallingGround, Ground as PlanckGround, PlanckTerrain } from 'localgridseg/planck'
 import { Box2dTerrain, FallingGround as Box2dFalling } from 'localgridseg/box2d3'
-import { OutlineLines, GroundMeshes } from 'localgridseg/draw'
+import { GroundMeshes, GroundPicture, OutlineLines } from 'localgridseg/draw'
 import { parseTrace, TracePlayer } from 'localgridseg/trace'
 import { importMap } from 'localgridseg/full'
 import { b2, makeBody, makePhysics } from '../box2d3.js'
@@ -67,6 +67,10 @@ const ofType = {
     { ...ground, polygons: [{ i: 0, j: 0, block: 1, vertices: [0, 0, 9, 0, 0, 9] }] }, { ...ground, polygons: [null] }, { ...ground, polygons: new Array(2) }],
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   ImportOptions: [{}, { tolerance: 1e308 }, { tolerance: -1 }, { solid: true }, { polylineThickness: 0 }, { tiles: '[]' }, { tiles: '{' }, { numbers: { a: 2 ** 32 } }, { nothing: 1 }, { layers: ['*', '['] }],
+  '{ draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }': [{ draw: () => [], rocks: () => [] }, {}],
+  'Readonly<Record<Block, string>>': [{ 1: 'red' }, {}],
+  'readonly [number, number, number, number, number, number]': [[1, 0, 0, 1, 0, 0]],
+  CanvasRenderingContext2D: [new Proxy({}, { get: () => () => {}, set: () => true })],
   'Int32Array': ({ square: shape }) => rowsOf(shape),
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   IslandId: (s) => [1, 0, 2, 999, 2 ** 32 - 1],
@@ -109,8 +113,8 @@ const ofType = {
   '{ readonly polygons: readonly GroundPolygon[] }': [ground, { polygons: [] }, { polygons: [null] }, { polygons: 7 }],
   '{ x: number; y: number; angle: number }': places,
 }
-/** Of these a game hands in what the physics engine gave it: nothing is promised for anything else. */
-const ofPhysics = ['Body', 'Box2D', 'Fixture', 'Fixture | Contact', 'ObjectId', 'Physics', 'PhysicsId']
+/** Of these a game hands in what the physics engine or the browser gave it: nothing is promised for anything else. */
+const ofPhysics = ['Body', 'Box2D', 'CanvasRenderingContext2D', 'Fixture', 'Fixture | Contact', 'ObjectId', 'Physics', 'PhysicsId']
 /** In the terrain for Box2D a body is an id of its module. */
 const ofBox2d = { Body: (s) => [s.box2d.body] }
 /** In the ground without physics it is how a rock lies and moves. */
@@ -164,7 +168,7 @@ export class Scene {
       receivers.GroundHashes = new GroundHashes(world)
       this.other.hashes = new GroundHashes(other)
     }
-    if (needs('draw/')) Object.assign(receivers, { OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
+    if (needs('draw/')) Object.assign(receivers, { GroundPicture: new GroundPicture({ draw: () => [], rocks: () => [] }, {}), OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
     if (needs('ImportedMap')) receivers.ImportedMap = importMap('a.tmx', ofType.MapFiles[0], { solid: true })
     if (needs('GroundHashes')) {
       receivers.GroundHashes = new GroundHashes(world)
