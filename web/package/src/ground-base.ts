@@ -5,11 +5,12 @@
 //  2. Matter is neither doubled nor lost. Undo over a take destroys the body, and the ground is back; undo over a settle
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo.
-//  4. What reaches the edge of memory is held. What is loose when it comes in falls.
+//  4. What reaches the edge of memory is held. What is loose when it comes in falls. Undo and redo go on over chunks that
+//     left and came back. New land ends the redo.
 //  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 import { bad, options as known, within } from './check.js'
 import { LgsError } from './error.js'
-import { ChangedSquares, chunksAround, chunksIn, everywhere, isSame, keyOf, loadedGround, makeLand, outlivesStreaming, savedGround, shelfInMemory, stream } from './ground-parts.js'
+import { ChangedSquares, chunksAround, chunksIn, everywhere, isSame, keyOf, loadedGround, makeLand, savedGround, shelfInMemory, stream } from './ground-parts.js'
 import type { GroundDrawing, GroundOptions, Host, Motion, Rock, Shelf } from './ground-types.js'
 import { Islands } from './island-view.js'
 import type { GroundBody } from './island-types.js'
@@ -52,6 +53,7 @@ export abstract class GroundBase<Body> {
   #isEditing = false
   #window = everywhere
   #made = new Map<string, { i: number; j: number }>() // chunks whose land was made
+  #newLand: { readonly chunk: CellRect; readonly at: number }[] = [] // of these, which an undo may take away, and after which mark
   readonly #squares = new ChangedSquares()
 
   /** An empty ground. */
@@ -162,8 +164,8 @@ export abstract class GroundBase<Body> {
   /**
    * The chunks with a cell of a rectangle are in memory from now on, and no others; until it is called the first time, all
    * are. With `land` there is land there, and one chunk further. False, if the shelf did not give a chunk, or other bytes:
-   * it stays away, and the next call tries again. New land ends the steps of undo, as it is an edit; what was seen before
-   * comes and goes without. It costs nothing if the chunks are the same.
+   * it stays away, and the next call tries again. Undo and redo go on over it, but new land ends the redo. It costs
+   * nothing if the chunks are the same.
    */
   window(cells: CellRect): boolean {
     const host = this.#begin(), chunks = chunksAround(cells)
@@ -172,21 +174,29 @@ export abstract class GroundBase<Body> {
     if (land && chunkCount > mostLand) throw bad('the window', `at most ${mostLand} chunks, of which land is made,`, cells)
     this.#window = chunks
     const unseen = land ? [...chunksIn(chunksAround(cells, 1))].filter(({ i0, j0 }) => !this.#made.has(keyOf(i0, j0))) : []
-    const ends = unseen.length > 0 || !outlivesStreaming()
-    if (ends) this.#dropFuture()
-    for (const chunk of unseen) {
-      makeLand(this.#world, chunk, land!, this.#ofWorld)
-      this.#made.set(keyOf(chunk.i0, chunk.j0), { i: chunk.i0, j: chunk.j0 })
-    }
+    for (const chunk of unseen) this.#makeLand(chunk)
     const isAll = stream(this.#world, chunks, this.#shelf)
     if (!isAll) this.#window = { i0: 0, j0: 0, i1: -1, j1: -1 }
     host.window(chunks)
     this.#commit()
-    if (ends) {
-      this.#mark()
-      while (this.canUndo) this.#forgetOldest()
-    }
     return isAll
+  }
+
+  #makeLand(chunk: CellRect): void {
+    this.#dropFuture()
+    makeLand(this.#world, chunk, this.#options.land!, this.#ofWorld)
+    this.#made.set(keyOf(chunk.i0, chunk.j0), { i: chunk.i0, j: chunk.j0 })
+    this.#newLand.push({ chunk, at: this.#now })
+  }
+
+  /** An undo took away land that was made since; nobody has dug there at that time. */
+  #remakeLand(): void {
+    const again = this.#newLand.filter(({ at }) => at >= this.#now)
+    if (again.length === 0) return
+    this.#newLand = this.#newLand.filter(({ at }) => at < this.#now)
+    for (const { chunk } of again) this.#makeLand(chunk)
+    stream(this.#world, this.#window, this.#shelf)
+    this.#commit()
   }
 
   // --- Saving
@@ -212,6 +222,7 @@ export abstract class GroundBase<Body> {
     this.#islands = new Islands(world, this.#options.anchors)
     this.#marks = [world.checkpoint()]
     this.#oldest = this.#now = 0
+    this.#newLand = []
     this.#made = new Map(land.map((corner) => [keyOf(corner.i, corner.j), corner]))
     this.#squares.noteAll(old)
     this.#squares.noteAll(world)
@@ -364,6 +375,7 @@ export abstract class GroundBase<Body> {
     }
     this.#show(changes)
     for (const each of this.#fallen) if (!each.isInAir && isThere(each)) this.#make(each)
+    this.#remakeLand()
     return true
   }
 
@@ -384,5 +396,6 @@ export abstract class GroundBase<Body> {
     this.#world.forget(this.#marks.shift()!)
     ++this.#oldest
     this.#fallen = this.#fallen.filter(({ isInAir, settled }) => isInAir || settled >= this.#oldest)
+    this.#newLand = this.#newLand.filter(({ at }) => at >= this.#oldest)
   }
 }

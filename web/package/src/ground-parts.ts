@@ -57,38 +57,28 @@ export function stream(world: World, { i0, j0, i1, j1 }: CellRect, shelf: Shelf)
 
 /** The land of a chunk that nobody has seen yet. */
 export function makeLand(world: World, chunk: CellRect, make: (land: World, chunk: CellRect) => void, options: WorldOptions): void {
-  if (!world.firstUnloaded(chunk)) {
-    const land = createWorld(options)
-    try {
-      make(land, chunk)
-      for (const { bytes } of land.unload(chunk)) world.reload(bytes)
-      return
-    } catch (error) {
-      if (!(error instanceof LgsError && error.code === 'loaded')) throw error
-    } finally {
-      land.free()
-    }
+  const land = createWorld(options)
+  try {
+    make(land, chunk)
+    const [made] = land.unload(chunk)
+    if (made === undefined || isReloaded(world, chunk, made.bytes)) return
+  } finally {
+    land.free()
   }
-  world.reloadEmpty(chunk)  // it is there already, and holds nothing
+  world.reloadEmpty(chunk)  // where an undo went over it there is a chunk, which holds nothing
   make(world, chunk)
 }
 
-/** Whether the steps of undo outlive a window that moves: they do where being in memory is no edit. */
-export function outlivesStreaming(): boolean {
-  if (outlives === undefined) {
-    const world = createWorld(), chunk = { i0: 0, j0: 0, i1: 31, j1: 31 }
-    world.addPolygon(0, 0, [0, 0, 1, 0, 0, 1], 1)
-    world.commit()
-    const mark = world.checkpoint()
-    world.unload(chunk)
-    world.commit()
-    world.rollBack(mark)
-    outlives = world.firstUnloaded(chunk) !== null
-    world.free()
+function isReloaded(world: World, chunk: CellRect, bytes: Uint8Array): boolean {
+  if (world.firstUnloaded(chunk)) return false
+  try {
+    world.reload(bytes)
+    return true
+  } catch (error) {
+    if (error instanceof LgsError) return false
+    throw error
   }
-  return outlives
 }
-let outlives: boolean | undefined
 
 // --- Bytes: those of lgs::Ground in C++
 
