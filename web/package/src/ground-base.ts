@@ -16,7 +16,7 @@ import { Islands } from './island-view.js'
 import type { GroundBody } from './island-types.js'
 import { circle } from './regions.js'
 import type { Block, CellRect, Changes, Mark, Region, Vertices, World, WorldOptions } from './types.js'
-import { createWorld, placeOf } from './world.js'
+import { createWorld, group } from './world.js'
 
 /** A rock, and between which marks it is one: it was taken in the stretch after the mark `took`. */
 interface Fallen<Body> {
@@ -113,16 +113,12 @@ export abstract class GroundBase<Body> {
   edit<T>(edits: (world: World) => T): T {
     if (typeof edits !== 'function') throw bad('edits', 'a function', edits)
     this.#begin()
-    const { engine, address } = placeOf(this.#world)
-    let result: T, keeps = 0
-    engine.call.beginGroup(address)
+    let result: T
     this.#isEditing = true
     try {
-      result = edits(this.#world)
-      keeps = 1
+      result = group(this.#world, edits)
     } finally {
       this.#isEditing = false
-      engine.call.endGroup(placeOf(this.#world).address, keeps)
     }
     this.#dropFuture()
     this.#commit()
@@ -179,7 +175,18 @@ export abstract class GroundBase<Body> {
     if (!isAll) this.#window = { i0: 0, j0: 0, i1: -1, j1: -1 }
     host.window(chunks)
     this.#commit()
+    if (unseen.length > 0) this.#markLand()
     return isAll
+  }
+
+  /** What was marked last has the new land, too, unless something fell or settled since: so an undo to it takes none away. */
+  #markLand(): void {
+    const now = this.#now
+    if (this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
+    const mark = this.#marks.pop()!
+    this.#marks.push(this.#world.checkpoint())
+    this.#world.forget(mark)
+    this.#newLand = this.#newLand.map(({ chunk, at }) => ({ chunk, at: at === now ? now - 1 : at })).filter(({ at }) => at >= this.#oldest)
   }
 
   #makeLand(chunk: CellRect): void {
@@ -197,6 +204,7 @@ export abstract class GroundBase<Body> {
     for (const { chunk } of again) this.#makeLand(chunk)
     stream(this.#world, this.#window, this.#shelf)
     this.#commit()
+    this.#markLand()
   }
 
   // --- Saving

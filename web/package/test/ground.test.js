@@ -21,7 +21,7 @@ const areaOf = (polygons) => polygons.reduce((sum, { vertices: v }) => {
 }, 0)
 /** Of the ground in memory and of the rocks. */
 const matterOf = (ground) => areaOf(ground.world.polygons()) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
-const solidOf = (world) => world.polygons().map(({ i, j, block, vertices }) => `${i} ${j} ${block} ${vertices.join()}`).sort()
+const solidOf = (world, cells) => world.polygons(cells).map(({ i, j, block, vertices }) => `${i} ${j} ${block} ${vertices.join()}`).sort()
 
 /** A floor of bedrock, a pillar, and an arm on it. */
 function pillar(ground) {
@@ -136,6 +136,8 @@ test('a stroke that is refused changes nothing, and leaves the redo', () => {
   refuses('overlap', () => ground.place(0, 0, square, 1))
   assert.throws(() => ground.edit(() => { throw new Error('own') }), /own/)
   refuses('busy', () => ground.edit(() => ground.dig(0, 0, 1)))
+  for (const call of ['commit', 'free']) refuses('busy', () => ground.edit((world) => world[call]()))
+  refuses('busy', () => ground.edit((world) => world.rollBack(1)))
   refuses('bad-argument', () => ground.dig(NaN, 0, 1))
   assert.ok(ground.canRedo && ground.redo())
   ground.free()
@@ -346,9 +348,12 @@ function assertFollows(ground) {
   if (terrain) assert.ok(Array.from(world.segments().id).every((id) => terrain.segment(terrain.fixture(id)) === id))
 }
 
-function play(game, make) {
-  const ground = pillar(make())
-  const look = () => (ground.world.firstUnloaded(here) === null ? { solid: solidOf(ground.world), matter: matterOf(ground) } : null)
+function play(game, make, hasLand) {
+  const ground = make()
+  if (hasLand) ground.window(here)
+  else pillar(ground)
+  const matter = () => areaOf(ground.world.polygons(here)) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
+  const look = () => (ground.world.firstUnloaded(here) === null ? { solid: solidOf(ground.world, here), matter: matter() } : null)
   let moments = [look()], at = 0 // the ground right after each stroke
   for (const [what, call] of game) {
     const was = look()
@@ -372,6 +377,7 @@ function play(game, make) {
       }
     }
     if (what === 'steps' && was) assert.ok(is.matter < was.matter + 1e-3 && is.matter > was.matter - 0.3, `${was.matter}, ${is.matter}`)
+    if (hasLand && !ground.canRedo && (what === 'window' || what === 'undo')) moments.length = at + 1 // new land ends the redo
     assert.equal(ground.canUndo, at > 0)
     assert.equal(ground.canRedo, at + 1 < moments.length)
     assertFollows(ground)
@@ -379,5 +385,6 @@ function play(game, make) {
   ground.free()
 }
 
-for (const [name, make] of [['without physics', () => new Ground({ anchors })], ['with planck', () => withPlanck().ground]])
-  test(`any game ${name}`, () => { fc.assert(fc.property(calls, (game) => play(game, make)), { numRuns: 100 }) })
+for (const [name, make, runs, hasLand] of [['without physics', () => new Ground({ anchors }), 100], ['with planck', () => withPlanck().ground, 80],
+  ['over land that streams', () => new Ground({ anchors, land }), 60, true]])
+  test(`any game ${name}`, () => { fc.assert(fc.property(calls, (game) => play(game, make, hasLand)), { numRuns: runs }) })
