@@ -12,6 +12,7 @@ import { bad, options as known, within } from './check.js'
 import { LgsError } from './error.js'
 import { ChangedSquares, chunksAround, chunksIn, everywhere, isSame, keyOf, loadedGround, makeLand, savedGround, shelfInMemory, stream } from './ground-parts.js'
 import type { GroundDrawing, GroundOptions, Host, Motion, Rock, Shelf } from './ground-types.js'
+import { inspect, shown } from './inspect.js'
 import { Islands } from './island-view.js'
 import type { GroundBody } from './island-types.js'
 import { circle } from './regions.js'
@@ -294,6 +295,10 @@ export abstract class GroundBase<Body> {
     this.#host = null
   }
   [Symbol.dispose](): void { this.free() }
+  [inspect](): unknown {
+    if (this.#host === null) return shown('Ground', { freed: true })
+    return shown('Ground', { world: this.#world, rocks: this.#inAir().length, canUndo: this.canUndo, canRedo: this.canRedo })
+  }
 
   // --- Commits
 

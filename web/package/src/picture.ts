@@ -24,13 +24,13 @@ const byBlock = (fills: readonly { block: Block; vertices: ArrayLike<number> }[]
 /** What a Ground looks like, and its rocks, each block in its colour. Only what changed is made anew; all is drawn. */
 export class GroundPicture {
   readonly #ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }
-  readonly #colours: Readonly<Record<Block, string>>
+  readonly #colours: Readonly<Record<number, string>>
   readonly #line: string
   readonly #squares = new Map<string, Drawn>()
   readonly #rocks = new WeakMap<object, Drawn>()
 
   /** It is told what changed by ground.draw(), which nobody else must ask then. `line` is the colour of the outline. */
-  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, colours: Readonly<Record<Block, string>>, line: string = '#2b2320') {
+  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, colours: Readonly<Record<number, string>>, line: string = '#2b2320') {
     if (typeof ground?.draw !== 'function' || typeof ground.rocks !== 'function') throw bad('ground', 'a Ground', ground)
     if (typeof line !== 'string') throw bad('line', 'a colour', line)
     this.#ground = ground

@@ -2,6 +2,7 @@
 // nor lost, and all that follows the ground is what a look at all of it gives.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
+import { inspect } from 'node:util'
 import fc from 'fast-check'
 import { Circle, World as Physics } from 'planck'
 import { createWorld, Ground, init, Islands, LgsError, unitSquare } from 'localgridseg/islands'
@@ -45,6 +46,7 @@ test('what is cut off falls, becomes ground, and comes back with undo; matter is
   const before = solidOf(ground.world), all = matterOf(ground)
   ground.dig({ rings: [[1, 3, 2, 3, 2, 4, 1, 4]] })
   assert.equal(ground.rocks().length, 1)
+  assert.match(inspect(ground), /^Ground \{[^]*rocks: 1,\s*canUndo: true/)
   const [{ x, y, ground: { polygons } }] = ground.rocks()
   assert.deepEqual([x, y, polygons.length], [2, 3, 3])
   assert.equal(matterOf(ground), all - 1)
@@ -71,6 +73,7 @@ test('what is cut off falls, becomes ground, and comes back with undo; matter is
   assert.deepEqual([ground.rocks().length, solidOf(ground.world)], [0, built])
   ground.free()
   assert.equal(physics.getBodyCount(), 0)
+  assert.match(inspect(ground), /^Ground \{ freed: true \}/)
   refuses('freed', () => ground.dig(0, 0, 1))
   ground.free()
 })

@@ -16,7 +16,7 @@ import { Pieces, init as initPieces, type PieceId, type Portal, type SolidPiece 
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
 import { FallingGround, Ground as PlanckGround, PlanckTerrain, cutOut, type Caught, type Falling } from 'localgridseg/planck'
 import { Box2dTerrain, FallingGround as Box2dFalling, type Box2D, type Falling as Box2dFallen, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
-import { GroundMeshes, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
+import { GroundMeshes, GroundPicture, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
 import { World as Planck, type Body, type Fixture } from 'planck'
 
 export async function starts(module: WebAssembly.Module, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
@@ -305,6 +305,7 @@ export function groundOf(physics: Planck, saved: Uint8Array): number {
   using ground = new PlanckGround(physics, options, { cellSize: 0.5, merge: true }, { density: () => 2 })
   // @ts-expect-error: it has another name
   new BareGround({ anchor: {} })
+  new GroundPicture(ground, { 1: 'red', 2: '#00f' }).draw(document.createElement('canvas').getContext('2d')!, [1, 0, 0, -1, 0, 9])
   ground.dig(1, 2, 3)
   ground.dig(circle(1, 2, 3))
   ground.paint(1, 2, 3, 4, 'replace')
