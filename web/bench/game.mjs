@@ -12,6 +12,7 @@ import { PlanckTerrain } from 'localgridseg/planck'
 import { Circle, EdgeShape, World as Physics } from 'planck'
 import polygonClipping from 'polygon-clipping'
 import ts from 'typescript'
+import { clipperStrokes, hole, holes } from './holes.mjs'
 import { randomNumbers, shapesOf, shapesOfCells, side } from './scenario.mjs'
 import { timed } from './package-subject.mjs'
 import { Native } from './subjects.mjs'
@@ -39,20 +40,10 @@ function fullWorld(cells) {
   return { world, square, changes: world.commit() }
 }
 
-/** Holes of radius 3 with 32 corners that do not meet, in full blocks; native.cpp carves the same. */
-const holes = 100
-function* hole(random) {
-  for (let k = 0; k < holes; ++k) {
-    const x = 8 * (k % 12) + 4 + random(65536) / 65536
-    yield [x, 8 * Math.floor(k / 12) + 4 + random(65536) / 65536]
-  }
-}
-
 async function strokes() {
   const { world } = fullWorld(side)
   const native = new Native(program)
-  const clipper = await Clipper()
-  const path = (points) => clipper.MakePath64(BigInt64Array.from(points, (v) => BigInt(Math.round(v * 65536))))
+  const others = await clipperStrokes()
   const ours = () => {
     const mark = world.checkpoint(), random = randomNumbers()
     const time = timed(() => {
@@ -63,25 +54,6 @@ async function strokes() {
     })
     world.rollBack(mark)
     world.forget(mark)
-    return time / holes
-  }
-  const others = () => {
-    const random = randomNumbers()
-    const tasks = [...hole(random)].map(([x, y]) => {
-      const cells = new clipper.Paths64(), cut = new clipper.Paths64()
-      for (let j = Math.floor(y - 3); j <= Math.floor(y + 3); ++j)
-        for (let i = Math.floor(x - 3); i <= Math.floor(x + 3); ++i) cells.push_back(path([i, j, i + 1, j, i + 1, j + 1, i, j + 1]))
-      cut.push_back(path(circle(x, y, 3, 32).rings[0]))
-      return [cells, cut]
-    })
-    const time = timed(() => {
-      for (const [cells, cut] of tasks) {
-        const left = clipper.Difference64(cells, cut, clipper.FillRule.NonZero)
-        for (let k = 0; k < left.size(); ++k) left.get(k).view()
-        left.delete()
-      }
-    })
-    for (const paths of tasks.flat()) paths.delete()
     return time / holes
   }
   const [web, wasm, c] = await rounds(15, [ours, others, async () => (await native.ask('strokes full'))[0]])

@@ -259,6 +259,28 @@ test('a window streams over land and shelf; what was dug is there again, and the
   twin.free()
 })
 
+test('what hangs in the air falls when it comes in: after a load, and once there is nothing to redo', () => {
+  const loose = new Ground()  // nothing holds, and nothing falls
+  loose.place(3, 3, square, 1)
+  const ground = new Ground({ anchors })
+  ground.load(loose.save())
+  assert.equal(ground.rocks().length, 1)
+  const column = (k) => ({ i0: 32 * k + 1, j0: 1, i1: 32 * k + 2, j1: 2 })
+  const streaming = new Ground({ anchors, land: (world, { i0, j0, i1 }) => {
+    if (j0 === 0) world.fill({ i0, j0, i1, j1: j0 }, world.shape(unitSquare), bedrock)
+    if (j0 === 0 && i0 === 64) world.addPolygon(70, 5, square, 1)
+  } })
+  for (const k of [1, 4, 1]) streaming.window(column(k))  // its land is made, and it was never here
+  streaming.place(40, 1, square, 1)
+  streaming.undo()
+  streaming.window(column(2))
+  assert.deepEqual([streaming.rocks().length, streaming.canRedo], [0, true])
+  assert.ok(streaming.redo())
+  streaming.place(66, 1, square, 1)
+  assert.equal(streaming.rocks().length, 1)
+  for (const each of [loose, ground, streaming]) each.free()
+})
+
 test('bodies wait where their ground is not in memory', () => {
   const { physics, ground } = withPlanck({ land })
   const here = { i0: -20, j0: -20, i1: 20, j1: 20 }, there = { i0: 80, j0: -20, i1: 120, j1: 20 }
