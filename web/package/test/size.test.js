@@ -1,6 +1,6 @@
-// The size is a promise: what a page loads, with gzip. That of islands has Ground, and the bytes of its saves.
-// Since going back reaches ground that is not in memory, the engine has 9 to 12 kB more. The code of `localgridseg` is compiled for speed, and takes two
-// thirds of the time of `localgridseg/small`, which is compiled for size.
+// The size is a promise: what a page loads, with gzip. That of islands has Ground, and the bytes of its saves. Since going
+// back reaches ground that is not in memory, the engine has 9 to 12 kB more. The code of `localgridseg` is compiled for
+// speed, and takes two thirds of the time of `localgridseg/small`, which is compiled for size.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
