@@ -9,4 +9,5 @@ build_web() {
   step web-package "Build the npm package" npm run build --prefix web/package
   step web-sandbox "Build the sandbox" npm run build --prefix web/sandbox
   step web-article "Build the article" npm run build --prefix web/article
+  step web-api "Build the pages of the API" npm run api --prefix web/package
 }

@@ -139,6 +139,8 @@ def exported(module):
     text = (WEB / f"{module}.ts").read_text()
     for names, origin in re.findall(r"^export \{ ([^}]*) \} from '\./([\w-]+)\.js'", text, re.M):
         yield from ((name, origin) for name in names.split(", "))
+    for origin in re.findall(r"^export \* from '\./([\w-]+-api)\.js'", text, re.M):
+        yield from exported(origin)
 
 
 def body(text, name):
@@ -174,6 +176,7 @@ def exports(text, names, prefix=""):
 def of_javascript():
     found = []
     for module, name, origin in [("index", "init", "index"), ("full", "init", "full"), ("inline", "init", "inline"),
+                                 ("small", "init", "small"), ("inline-islands", "init", "inline-islands"),
                                  *(("api", *pair) for pair in exported("api")),
                                  *(("full", *pair) for pair in exported("full"))]:
         found += exports((WEB / f"{origin}.ts").read_text(), [name], f"{module}/" if name == "init" else "")

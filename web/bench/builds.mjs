@@ -1,5 +1,6 @@
 // Builds of the engine beside each other in one process, round by round: edits of tiles with commit and every list read,
-// and strokes of radius 3 with a commit each. Ratios are of the first build, medians of the rounds'.
+// and strokes of radius 3 with a commit each, beside clipper2-wasm's difference of the touched cells. Ratios are of the
+// first build, medians of the rounds'.
 //
 //   node builds.mjs FILE.wasm FILE.wasm …       (the package must be built; without files, those for speed and for size)
 import { cpSync, mkdtempSync, readFileSync, rmSync } from 'node:fs'
@@ -7,6 +8,8 @@ import { tmpdir } from 'node:os'
 import { basename, dirname, join } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 import { gzipSync } from 'node:zlib'
+import { init } from 'localgridseg'
+import { clipperStrokes, hole, holes } from './holes.mjs'
 import { Package, timed } from './package-subject.mjs'
 import { randomNumbers, side } from './scenario.mjs'
 
@@ -26,15 +29,14 @@ async function load(file, k) {
   const strokes = () => {
     const mark = world.checkpoint(), random = randomNumbers()
     const time = timed(() => {
-      for (let k = 0; k < 100; ++k) {
-        const x = 8 * (k % 12) + 4 + random(65536) / 65536
-        world.carve(circle(x, 8 * Math.floor(k / 12) + 4 + random(65536) / 65536, 3, 32))
+      for (const [x, y] of hole(random)) {
+        world.carve(circle(x, y, 3, 32))
         world.commit()
       }
     })
     world.rollBack(mark)
     world.forget(mark)
-    return time / 100
+    return time / holes
   }
   const tasks = { 'stroke of radius 3': strokes }
   for (const kind of ['full', 'ramps']) {
@@ -53,13 +55,16 @@ try {
   rmSync(folder, { recursive: true })
 }
 for (const { name, bytes } of builds) console.log(`${name}: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} with gzip`)
+await init()  // for the circles of the neighbour
+const neighbour = { name: 'clipper2-wasm', tasks: { 'stroke of radius 3': await clipperStrokes() } }
 for (const task of Object.keys(builds[0].tasks)) {
-  const times = builds.map(() => [])
+  const subjects = [...builds, neighbour].filter(({ tasks }) => tasks[task])
+  const times = subjects.map(() => [])
   for (let round = -5; round < rounds; ++round)  // the first ones warm up
-    builds.forEach(({ tasks }, k) => {
+    subjects.forEach(({ tasks }, k) => {
       const time = tasks[task]()
       if (round >= 0) times[k].push(time)
     })
-  const shown = times.map((all, k) => `${builds[k].name} ${(median(all) / 1e3).toPrecision(3)} µs (${median(all.map((t, n) => t / times[0][n])).toFixed(2)})`)
+  const shown = times.map((all, k) => `${subjects[k].name} ${(median(all) / 1e3).toPrecision(3)} µs (${median(all.map((t, n) => t / times[0][n])).toFixed(2)})`)
   console.log(`${task}: ${shown.join(', ')}`)
 }

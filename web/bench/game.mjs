@@ -9,9 +9,10 @@ import initIShape, { FillRule, Overlay, OverlayRule } from 'ishape_wasm'
 import { circle, createWorld, init, unitSquare } from 'localgridseg'
 import { OutlineLines } from 'localgridseg/draw'
 import { PlanckTerrain } from 'localgridseg/planck'
-import { EdgeShape, World as Physics } from 'planck'
+import { Circle, EdgeShape, World as Physics } from 'planck'
 import polygonClipping from 'polygon-clipping'
 import ts from 'typescript'
+import { clipperStrokes, hole, holes } from './holes.mjs'
 import { randomNumbers, shapesOf, shapesOfCells, side } from './scenario.mjs'
 import { timed } from './package-subject.mjs'
 import { Native } from './subjects.mjs'
@@ -39,20 +40,10 @@ function fullWorld(cells) {
   return { world, square, changes: world.commit() }
 }
 
-/** Holes of radius 3 with 32 corners that do not meet, in full blocks; native.cpp carves the same. */
-const holes = 100
-function* hole(random) {
-  for (let k = 0; k < holes; ++k) {
-    const x = 8 * (k % 12) + 4 + random(65536) / 65536
-    yield [x, 8 * Math.floor(k / 12) + 4 + random(65536) / 65536]
-  }
-}
-
 async function strokes() {
   const { world } = fullWorld(side)
   const native = new Native(program)
-  const clipper = await Clipper()
-  const path = (points) => clipper.MakePath64(BigInt64Array.from(points, (v) => BigInt(Math.round(v * 65536))))
+  const others = await clipperStrokes()
   const ours = () => {
     const mark = world.checkpoint(), random = randomNumbers()
     const time = timed(() => {
@@ -65,71 +56,70 @@ async function strokes() {
     world.forget(mark)
     return time / holes
   }
-  const others = () => {
-    const random = randomNumbers()
-    const tasks = [...hole(random)].map(([x, y]) => {
-      const cells = new clipper.Paths64(), cut = new clipper.Paths64()
-      for (let j = Math.floor(y - 3); j <= Math.floor(y + 3); ++j)
-        for (let i = Math.floor(x - 3); i <= Math.floor(x + 3); ++i) cells.push_back(path([i, j, i + 1, j, i + 1, j + 1, i, j + 1]))
-      cut.push_back(path(circle(x, y, 3, 32).rings[0]))
-      return [cells, cut]
-    })
-    const time = timed(() => {
-      for (const [cells, cut] of tasks) {
-        const left = clipper.Difference64(cells, cut, clipper.FillRule.NonZero)
-        for (let k = 0; k < left.size(); ++k) left.get(k).view()
-        left.delete()
-      }
-    })
-    for (const paths of tasks.flat()) paths.delete()
-    return time / holes
-  }
   const [web, wasm, c] = await rounds(15, [ours, others, async () => (await native.ask('strokes full'))[0]])
   native.end()
   row('stroke of radius 3 with its commit', units(web), `native ${units(c)}: ${(web / c).toFixed(2)}×`)
   row("clipper2-wasm's difference of the touched cells", units(wasm), `stroke ÷ it: ${(web / wasm).toFixed(2)}`)
 }
 
-/** A tile goes and comes. What planck takes by itself: as many edges made and destroyed on a body with as many. */
+/**
+ * A tile goes and comes, with a step of the physics after each edit, as a game has it: planck keeps a list of what moved,
+ * which only a step empties. What planck takes by itself: as many edges made and destroyed, with the same steps; in worlds
+ * of many chunks on a body that comes and goes with them, as a hole is mostly in a chunk without edges. Steps are not
+ * measured.
+ */
 async function tiles() {
   for (const cells of [16, 64, 256]) {
-    const { world, square } = fullWorld(cells)
-    const physics = new Physics(), terrain = new PlanckTerrain(physics, world), lines = new OutlineLines(world)
-    const bare = new Physics(), body = bare.createBody()
-    const edge = () => body.createFixture(new EdgeShape({ x: 0, y: 0 }, { x: 1, y: 0 }))
-    for (let k = 0; k < 64; ++k) edge()
-    const random = randomNumbers(), times = 400
-    let sync = 0, draw = 0, edit = 0
-    const round = () => {
-      sync = draw = edit = 0
-      for (let k = 0; k < times; ++k) {
-        const i = 1 + random(cells - 2), j = 1 + random(cells - 2)
-        for (const isDug of [true, false]) {
-          let changes
-          edit += timed(() => {
-            isDug ? world.clear(i, j) : world.add(i, j, square, 7)
-            changes = world.commit()
-          })
-          sync += timed(() => terrain.sync(changes))
-          draw += timed(() => lines.update(changes))
-        }
-      }
-      return sync / (2 * times)
-    }
-    const planck = () => {
-      let made = []
-      return timed(() => {
+    const plain = fullWorld(cells), merged = fullWorld(cells)
+    const scene = ({ world, square }, merge) => {
+      const physics = new Physics({ x: 0, y: -10 }), terrain = new PlanckTerrain(physics, world, { merge }), lines = new OutlineLines(world)
+      const ball = physics.createBody({ type: 'dynamic', position: { x: cells / 2, y: cells + 1 } })
+      ball.createFixture(new Circle(0.4), { density: 1 })
+      const of = { sync: 0, draw: 0 }, random = randomNumbers()
+      of.round = () => {
+        of.sync = of.draw = 0
         for (let k = 0; k < times; ++k) {
-          for (let n = 0; n < 4; ++n) made.push(edge())
-          for (const fixture of made) body.destroyFixture(fixture)
-          made = []
+          const i = 1 + random(cells - 2), j = 1 + random(cells - 2)
+          for (const isDug of [true, false]) {
+            isDug ? world.clear(i, j) : world.add(i, j, square, 7)
+            const changes = world.commit()
+            of.sync += timed(() => terrain.sync(changes))
+            of.draw += timed(() => lines.update(changes))
+            terrain.beforeStep()
+            physics.step(1 / 60)
+            terrain.afterStep()
+          }
         }
-      }) / (2 * times)
+        return of.sync / (2 * times)
+      }
+      return of
     }
-    const [inAll, own, drawn] = await rounds(7, [round, planck, () => draw / (2 * times)])
-    row(`a tile, world of ${cells}²: planck's sync`, units(inAll), `planck itself ${units(own)}, beyond it ${units(inAll - own)}`)
+    const times = 200, singly = scene(plain, false), together = scene(merged, true)
+    const bare = new Physics({ x: 0, y: -10 }), first = bare.createBody(), isInside = cells > 16
+    const edge = (body) => body.createFixture(new EdgeShape({ x: 0, y: 0 }, { x: 1, y: 0 }))
+    for (let k = 0; k < 64; ++k) edge(first)
+    const planck = () => {
+      let time = 0
+      for (let k = 0; k < times; ++k) {
+        let made, body = first
+        time += timed(() => {
+          if (isInside) body = bare.createBody()
+          made = [edge(body), edge(body), edge(body), edge(body)]
+        })
+        bare.step(1 / 60)
+        time += timed(() => {
+          for (const fixture of made) body.destroyFixture(fixture)
+          if (isInside) bare.destroyBody(body)
+        })
+        bare.step(1 / 60)
+      }
+      return time / (2 * times)
+    }
+    const [inAll, own, mergedTime, drawn] = await rounds(9, [singly.round, planck, together.round, () => singly.draw / (2 * times)])
+    row(`a tile and a step, world of ${cells}²: planck's sync`, units(inAll), `planck itself ${units(own)}, beyond it ${units(inAll - own)}; merged ${units(mergedTime)}`)
     row(`a tile, world of ${cells}²: lines drawn anew`, units(drawn), '')
-    world.free()
+    plain.world.free()
+    merged.world.free()
   }
 }
 

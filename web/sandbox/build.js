@@ -33,6 +33,7 @@ links.push('<link rel="preload" href="lgs-islands.wasm" as="fetch" type="applica
 const page = await readFile(here('dist/index.html'), 'utf8')
 await writeFile(here('dist/index.html'), page.replace('</head>', `${links.join('\n')}\n</head>`))
 await copyFile(here('style.css'), here('dist/style.css'))
+await copyFile(here('../examples/digger.js'), here('dist/digger.js')) // to be read: main.js has it within
 await mkdir(here('dist/scenes'))
 for (const file of ['cave.tmx', 'crate.tx', 'quarry.ldtk', 'landscape.tmx', 'landscape.tsx'])
   await copyFile(here(`../../examples/maps/${file}`), here(`dist/scenes/${file}`))

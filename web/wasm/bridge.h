@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -72,6 +73,7 @@ struct Bridge {
   bool isLastNews = false;              ///< whether the last one did, so that it leads here from the moment before
   bool isEdited = false;                ///< whether edits wait for their commit
   std::vector<Mark> marksInEdits = {};  ///< those that were made while edits waited
+  std::optional<Transaction> group = {};  ///< edits that are undone together if one of them is refused
   Block64 changes = {};                 ///< the same, as JavaScript reads it
   Block64 segments = {};                ///< of the last question for segments
   BrushResult brushed = {};             ///< what the last brush did

@@ -87,6 +87,16 @@ LGS_EXPORT("clear") double clear(Bridge* bridge, std::int32_t i0, std::int32_t j
   return orMinusOne(bridge, bridge->world.clear(rect(i0, j0, i1, j1)));
 }
 
+/// A group of edits begins, when none waits for its commit. 0 ends it: its edits are undone; 1: they stay.
+LGS_EXPORT("beginGroup") void beginGroup(Bridge* bridge) { bridge->group.emplace(bridge->world); }
+LGS_EXPORT("endGroup") void endGroup(Bridge* bridge, std::int32_t keep) {
+  if (keep != 0)
+    bridge->group->keep();
+  else
+    bridge->isEdited = false;
+  bridge->group.reset();
+}
+
 LGS_EXPORT("checkpoint") double checkpoint(Bridge* bridge) {
   const Mark mark = bridge->world.checkpoint();
   if (bridge->isEdited) bridge->marksInEdits.push_back(mark);

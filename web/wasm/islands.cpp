@@ -1,8 +1,7 @@
 // Islands: which there are, which were cut off, and how they leave the ground and come back. And bodies: their convex
 // parts, and what they weigh. A body is a list of numbers in JavaScript; here it is nothing that stays.
-#include "bridge.h"
+#include "bodies.h"
 
-#include <lgs/falling.h>
 #include <lgs/islands.h>
 
 #include <algorithm>
@@ -50,6 +49,18 @@ void putMass(const MassOfPolygons& mass) {
   answer().insert(answer().end(), {mass.area, mass.centroid.x, mass.centroid.y, mass.secondMoment});
 }
 
+/// The polygons of a body.
+Body inputBody(std::size_t count) { return bodyOf(input<double>(count)); }
+
+template <class Result>
+std::int32_t putDone(Bridge& bridge, const Expected<Result>& done) {
+  if (!done) return refused(done.error(), 0);
+  bridge.isEdited = true;
+  return 1;
+}
+
+}  // namespace
+
 void putBody(const Body& body) {
   auto& out = answer();
   const std::size_t head = out.size();
@@ -63,11 +74,9 @@ void putBody(const Body& body) {
   out[head] = static_cast<double>(out.size() - head - 1);
 }
 
-/// The polygons of a body: i, j, block, the number of vertices, and these in cells.
-Body inputBody(std::size_t count) {
-  const auto in = input<double>(count);
+Body bodyOf(std::span<const double> in) {
   Body body;
-  for (std::size_t k = 0; k < count;) {
+  for (std::size_t k = 0; k < in.size();) {
     BodyPolygon polygon{.cell = {static_cast<std::int32_t>(in[k]), static_cast<std::int32_t>(in[k + 1])},
                         .block = static_cast<Block>(in[k + 2]),
                         .vertices = {}};
@@ -82,25 +91,9 @@ Body inputBody(std::size_t count) {
   return body;
 }
 
-/// There are no islands where a chunk is unloaded.
-std::optional<Cell> firstUnloaded(const World& world) {
-  return world.firstUnloaded({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
-}
-
-template <class Result>
-std::int32_t putDone(Bridge& bridge, const Expected<Result>& done) {
-  if (!done) return refused(done.error(), 0);
-  bridge.isEdited = true;
-  return 1;
-}
-
-}  // namespace
-
 /// The anchors are in the input; with none of them nothing is an anchor.
 LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers) {
   IsAnchor isAnchor = numbers > 1 ? inputAnchors(numbers) : IsAnchor{};
-  if (const auto cell = firstUnloaded(bridge->world))
-    return refused({.code = ErrorCode::unloaded, .cell = *cell}, static_cast<Followed*>(nullptr));
   if (const auto done = bridge->world.followCells(true); !done)
     return refused(done.error(), static_cast<Followed*>(nullptr));
   return new Followed{{.moment = bridge->moment}, Islands(bridge->world, std::move(isAnchor))};
@@ -108,8 +101,7 @@ LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers) {
 LGS_EXPORT("freeIslands") void freeIslands(Followed* followed) { delete followed; }
 
 LGS_EXPORT("updateIslands") std::int32_t updateIslands(Followed* followed, const Bridge* bridge) {
-  return followed->follow(
-      *bridge, [&] { return !firstUnloaded(bridge->world) && followed->islands.update(bridge->world, *bridge->last); });
+  return followed->follow(*bridge, [&] { return followed->islands.update(bridge->world, *bridge->last); });
 }
 LGS_EXPORT("areIslandsOfNow") std::int32_t areIslandsOfNow(const Followed* followed, const Bridge* bridge) {
   return followed->isOfNow(*bridge);
@@ -159,7 +151,7 @@ LGS_EXPORT("islandOf") std::uint32_t islandOf(const Followed* followed, const Br
 }
 
 /// A body, or its parts: the number of its numbers, i, j of the origin, area, centroid, second moment, and the
-/// polygons, as inputBody() reads them.
+/// polygons, as bodyOf() reads them.
 LGS_EXPORT("takeIsland")
 std::size_t takeIsland(const Followed* followed, Bridge* bridge, std::uint32_t id, std::int32_t isApart) {
   std::vector<Body> bodies;

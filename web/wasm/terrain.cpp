@@ -7,6 +7,7 @@
 #include <lgs/box2d/edges.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace lgs::web {
 
@@ -17,6 +18,7 @@ __attribute__((import_module("lgs"), import_name("holds"))) std::int32_t holdsIn
 /// A terrain over a world, for one physics world.
 struct Terrain {
   Bridge* bridge;
+  std::unordered_map<Block, std::uint32_t> materials;  ///< blocks with the same number may share an edge
   box2d::EdgeSet edges;
   std::optional<box2d::NewGround> ground = {};  ///< what the change did that is being shown
   std::optional<box2d::Box> around = {};        ///< where that concerns bodies
@@ -109,12 +111,20 @@ const std::uint64_t* put(Terrain& terrain, const box2d::EdgeChanges& changes) {
 
 }  // namespace
 
-/// `shortest` is in lattice units.
-LGS_EXPORT("terrain") Terrain* makeTerrain(Bridge* bridge, std::int32_t chunkCells, double shortest) {
-  box2d::EdgeSet edges(
-      {.chunkCells = chunkCells, .shortest = static_cast<std::int64_t>(shortest), .merge = false, .material = {}});
-  bridge->terrains.emplace_back(new Terrain{bridge, std::move(edges)});
-  return bridge->terrains.back().get();
+/// `shortest` is in lattice units. With `merge` edges are merged that go straight on, by materialIs().
+LGS_EXPORT("terrain")
+Terrain* makeTerrain(Bridge* bridge, std::int32_t chunkCells, double shortest, std::int32_t merge) {
+  auto terrain = std::unique_ptr<Terrain, DropTerrain>(new Terrain{bridge, {}, box2d::EdgeSet({})});
+  box2d::EdgeOptions options{
+      .chunkCells = chunkCells, .shortest = static_cast<std::int64_t>(shortest), .merge = merge != 0};
+  if (options.merge)  // the terrain stays where it is
+    options.material = [own = terrain.get()](Block block) { return own->materials.at(block); };
+  terrain->edges = box2d::EdgeSet(std::move(options));
+  return bridge->terrains.emplace_back(std::move(terrain)).get();
+}
+/// Before a sync with this block: the number of its material.
+LGS_EXPORT("materialIs") void materialIs(Terrain* terrain, Block block, std::uint32_t number) {
+  terrain->materials[block] = number;
 }
 LGS_EXPORT("dropTerrain") void dropTerrain(Terrain* terrain) {
   std::erase_if(terrain->bridge->terrains, [terrain](const auto& other) { return other.get() == terrain; });

@@ -28,7 +28,7 @@ const loading = {
   index: ['lgs', "export * from './src/api.js'"],
   small: ['lgs-small', "export * from './src/api.js'"],
   full: ['lgs-full', "export * from './src/api.js'; export { importMap } from './src/maps.js'"],
-  islands: ['lgs-islands', "export * from './src/api.js'; export { convexParts, massOf } from './src/ground-body.js'; export { Islands } from './src/island-view.js'"],
+  islands: ['lgs-islands', "export * from './src/islands-api.js'"],
   pieces: ['lgs-islands', "export * from './src/api.js'; export { Pieces } from './src/piece-view.js'"],
 }
 /** Their init() elsewhere, by the conditions of package.json. Browsers see no word of Node; and Cloudflare's workers

@@ -3,8 +3,12 @@
 import earcut from 'earcut'
 import { int32, object, rect, within } from './check.js'
 import { LgsError } from './error.js'
+import { linesIn } from './lines.js'
 import type { Block, CellRect, Changes, SegmentId, Version, World } from './types.js'
 import { placeOf } from './world.js'
+
+export { linesIn } from './lines.js'
+export { GroundPicture } from './picture.js'
 
 interface Chunk {
   /** Names the chunk: the same string for the same chunk. */
@@ -51,20 +55,6 @@ class Chunks {
     }
     return (this.#last = chunk)
   }
-}
-
-/** The lines along the outline in a rectangle of cells. A vertex where the outline goes straight on is left out. */
-export function linesIn(world: World, cells: CellRect): Float64Array[] {
-  const { engine, address } = placeOf(world)
-  const { i0, j0, i1, j1 } = rect(cells)
-  const count = engine.call.lines(address, i0, j0, i1, j1)
-  const numbers = engine.answer(count), lines: Float64Array[] = []
-  for (let k = 0; k < count; ) {
-    const end = k + 1 + 2 * numbers[k]!
-    lines.push(numbers.slice(k + 1, end))
-    k = end
-  }
-  return lines
 }
 
 /** Refuses changes that do not follow what is drawn, and says whether there are any. */

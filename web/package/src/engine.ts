@@ -37,6 +37,8 @@ export interface Exports {
   brushChanges(world: number): number
   commit(world: number): number
   checkpoint(world: number): number
+  beginGroup(world: number): void
+  endGroup(world: number, keep: number): void
   roll(world: number, mark: number, way: number): number
   forget(world: number, mark: number): number
   segments(world: number): number
@@ -56,7 +58,8 @@ export interface Exports {
   circle(x: number, y: number, radius: number, corners: number): number
   rectangle(x: number, y: number, alongX: number, alongY: number, halfLength: number, halfWidth: number): number
   thickLine(points: number, radius: number, corners: number): number
-  terrain(world: number, chunkCells: number, shortest: number): number
+  terrain(world: number, chunkCells: number, shortest: number, merge: number): number
+  materialIs(terrain: number, block: number, number: number): void
   dropTerrain(terrain: number): void
   moveTerrain(terrain: number, world: number): void
   beginSync(terrain: number, what: number): number

@@ -1,6 +1,6 @@
 // Ground that falls, as bodies of whichever physics engine. planck-falling.ts and box2d3-falling.ts say how these are
 // made. lgs/box2d/falling.h does the same for Box2D in C++, by the same rules.
-import { bad, object, within } from './check.js'
+import { bad, object, options as known, within } from './check.js'
 import { LgsError } from './error.js'
 import { convexParts, massOf, placeIn } from './ground-body.js'
 import type { GroundBody, GroundPolygon, IslandId } from './island-types.js'
@@ -67,7 +67,7 @@ export abstract class FallingBase<Body, Material> {
   protected constructor(terrain: TerrainBase<Body, any>, islands: Islands, options: FallingOptions<Material>, maker: Maker<Body>) {
     this.#terrain = terrain
     this.#islands = islands
-    const { density = () => 1, material } = object('options', '{ density, material }', options)
+    const { density = () => 1, material } = known('options', ['density', 'material'], options)
     if (typeof density !== 'function') throw bad('density', 'a function', density)
     if (material !== undefined && typeof material !== 'function') throw bad('material', 'a function', material)
     this.#density = density
@@ -136,13 +136,13 @@ export abstract class FallingBase<Body, Material> {
    */
   settle(body: Body): boolean {
     this.#refuseInStep()
-    const known = this.#bodies.get(this.#maker.keyOf(body))
-    if (!known) throw bad('body', 'one of bodies', body)
+    const falling = this.#bodies.get(this.#maker.keyOf(body))
+    if (!falling) throw bad('body', 'one of bodies', body)
     const down = this.#down, { slop, gap } = this.#maker, { x, y, angle } = this.#maker.placeOf(body)
     if (!this.#terrain.fits(body, { x: x - down.x * slop, y: y - down.y * slop, angle })) return false
     const depth = gap + slop
     const at = this.#terrain.point({ x: x + down.x * depth, y: y + down.y * depth })
-    this.#islands.putAsItLies(known.ground, { ...at, angle })
+    this.#islands.putAsItLies(falling.ground, { ...at, angle })
     this.forget(body)
     this.#maker.destroy(body)
     return true

@@ -18,6 +18,9 @@ export interface IslandCalls {
   untryEdits(islands: number, world: number, mark: number): number
   putBody(world: number, numbers: number, i: number, j: number): number
   putAsItLies(world: number, numbers: number, x: number, y: number, cosine: number, sine: number): number
+  unloadedChunks(world: number): number
+  saveGround(world: number, numbers: number, bytes: number): number
+  loadGround(bytes: number, relation: number, isFloat: number, i0: number, j0: number, i1: number, j1: number): number
   convexParts(numbers: number, maxVertices: number): number
   massOf(numbers: number): number
   pieces(world: number, maxVertices: number): number

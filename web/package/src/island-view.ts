@@ -12,6 +12,10 @@ function numbersOf({ blocks = [], cells = [] }: Anchors): number[] {
   return [ids.length, ...ids, ...Array.from(cells, rect).flatMap(({ i0, j0, i1, j1 }) => [i0, j0, i1, j1])]
 }
 
+/** The island of all ground that is unloaded, or hangs together with such ground: nobody knows what holds it, so it never
+ *  falls. It is not among all(), and has no facts. */
+export const beyond: IslandId = 2 ** 32 - 1
+
 /**
  * The islands of a world: solids that share at least a point are one island. Make it while no edit waits for its commit
  * and while there is no mark, and give it each commit's and roll-back's changes.

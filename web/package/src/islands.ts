@@ -13,10 +13,7 @@ import { start } from './engine.js'
 import { compile } from './load.js'
 import type { InitOptions } from './types.js'
 
-export * from './api.js'
-export { convexParts, massOf } from './ground-body.js'
-export { Islands } from './island-view.js'
-export type * from './island-types.js'
+export * from './islands-api.js'
 
 /** Loads the engine with islands, unless an engine runs already. */
 export const init = (options: InitOptions = {}): Promise<void> =>

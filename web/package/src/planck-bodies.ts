@@ -1,6 +1,7 @@
 // Bodies of planck, as law 13 looks at them.
 import type { AABBValue, Body, CircleShape, Fixture, FixtureOpt, PolygonShape, Vec2Value, World as Physics } from 'planck'
 import { BoxShape, Settings, Transform, Vec2, testOverlap } from 'planck'
+import { bad } from './check.js'
 import type { Physics as OfPhysics, Place } from './bodies.js'
 import type { Box, Form, Frame, Point, TerrainRules } from './terrain.js'
 import type { CellRect } from './types.js'
@@ -28,6 +29,12 @@ function overlaps(fixture: Fixture, { lowerBound: a, upperBound: b }: AABBValue)
   for (let child = 0; child < shape.getChildCount(); ++child)
     if (testOverlap(shape, child, box, 0, there, here)) return true
   return false
+}
+
+/** Of whichever copy of planck: what is asked of it is there. */
+export function isPhysics(physics: Physics): void {
+  const { createBody, on, queryAABB } = (physics ?? {}) as Physics
+  if ([createBody, on, queryAABB].some((f) => typeof f !== 'function')) throw bad('physics', 'a World of planck', physics)
 }
 
 const canBeCaught = (body: Body) => body.isDynamic() && body.isActive()

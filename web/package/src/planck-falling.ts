@@ -2,6 +2,7 @@
 import { type Body, type FixtureOpt, Polygon, Settings, Vec2, type World as Physics } from 'planck'
 import { type Falling as FallingOf, FallingBase, type FallingMass, type FallingOptions as OptionsOf, type FallingPart, type Lies, type Maker } from './falling-base.js'
 import type { Islands } from './islands.js'
+import { isPhysics } from './planck-bodies.js'
 import type { PlanckTerrain } from './planck.js'
 
 export type FallingOptions = OptionsOf<FixtureOpt>
@@ -9,6 +10,7 @@ export type Falling = FallingOf<Body>
 
 export class FallingGround extends FallingBase<Body, FixtureOpt> {
   constructor(physics: Physics, terrain: PlanckTerrain, islands: Islands, options: FallingOptions = {}) {
+    isPhysics(physics)
     super(terrain, islands, options, new InPlanck(physics, options))
   }
 }

@@ -1,10 +1,10 @@
 // Terrain for planck: the outline of a world as static edges with ghost vertices, kept up to date there.
 // Each segment is one fixture. It is on the body of its chunk of cells. docs/box2d.md tells the same story for Box2D.
 // planck's edges push to both sides. Here they are one-sided, as in Box2D: what comes from the solid's side passes.
-import { type Body, type Contact, EdgeShape, type Fixture, type Vec2Value, WorldManifold, type World as Physics } from 'planck'
-import { PlanckBodies } from './planck-bodies.js'
+import { type AABBValue, type Body, type Contact, EdgeShape, type Fixture, type Vec2Value, WorldManifold, type World as Physics } from 'planck'
+import { isPhysics, PlanckBodies } from './planck-bodies.js'
 import type { Material } from './planck-bodies.js'
-import type { CommonOptions, EdgeChanges } from './terrain.js'
+import type { CommonOptions, EdgeChanges, Point } from './terrain.js'
 import { type Adapter, TerrainBase } from './terrain-base.js'
 import type { Hit, SegmentId, World } from './types.js'
 
@@ -14,6 +14,8 @@ export type { OnCaught } from './terrain.js'
 export { cutOut } from './terrain-base.js'
 export { FallingGround } from './planck-falling.js'
 export type { Falling, FallingOptions } from './planck-falling.js'
+export { Ground } from './planck-ground.js'
+export type { GroundDrawing, GroundOptions, Rock, Shelf } from './ground-types.js'
 
 export interface TerrainOptions extends CommonOptions<Material> {
   /** Without ghosts bodies bump at the seams. That is for comparison only: see PlanckTerrain.ghosts. */
@@ -41,7 +43,8 @@ export class PlanckTerrain extends TerrainBase<Body, Material> {
 
   /** Puts in what was committed. */
   constructor(physics: Physics, world: World, options: TerrainOptions = {}) {
-    super(world, options, 0)
+    isPhysics(physics)
+    super(world, options, 0, ['ghosts'])
     this.#edges = new Edges(physics, this.frame, this.rules, options.ghosts ?? true)
     this.start(this.#edges)
   }
@@ -51,12 +54,24 @@ export class PlanckTerrain extends TerrainBase<Body, Material> {
 
   fixture(segment: SegmentId): Fixture | null { return this.#edges.at(this.rules.edgeOf(segment))?.fixture ?? null }
 
-  /** The segment of a fixture; 0 if the fixture is not of this terrain. */
-  segment(fixture: Fixture): SegmentId { return this.#edges.of(fixture)?.segment ?? 0 }
+  /**
+   * The segment of a fixture; 0 if the fixture is not of this terrain. Where segments are merged, the one nearest to a
+   * point in metres, or without a point the first one.
+   */
+  segment(fixture: Fixture, point?: Point): SegmentId {
+    const edge = this.#edges.of(fixture)
+    if (edge === null) return 0
+    return point ? this.rules.segmentAt(this.#edges.numberOf(fixture), this.point(point)) : edge.segment
+  }
 
-  /** Which tile was hit? Null if the fixture is not of this terrain. */
-  hit(fixture: Fixture): Hit | null {
-    const segment = this.segment(fixture)
+  /**
+   * Which tile was hit? Null if what was hit is not of this terrain. Of a contact, where its points are in their middle.
+   * Of a fixture the point is as for segment().
+   */
+  hit(what: Fixture | Contact, point?: Point): Hit | null {
+    const fixture = 'getFixtureA' in what ? this.#edges.touchedBy(what) : what
+    if (fixture === null) return null
+    const segment = this.segment(fixture, 'getFixtureA' in what ? this.#edges.middleOf(what, fixture) : point)
     return segment === 0 ? null : this.world.hit(segment)
   }
 }
@@ -84,6 +99,21 @@ class Edges extends PlanckBodies implements Adapter<Body, Material> {
     return edge?.fixture === fixture ? edge : null
   }
 
+  numberOf(fixture: Fixture): number { return fixture.getUserData() as number }
+
+  touchedBy(contact: Contact): Fixture | null {
+    return [contact.getFixtureA(), contact.getFixtureB()].find((fixture) => this.isOwn(fixture)) ?? null
+  }
+
+  /** Of its points; a sensor has none, and then that of what touches the edge. */
+  middleOf(contact: Contact, edge: Fixture): Point {
+    const count = contact.getManifold().pointCount
+    const points = count > 0 ? contact.getWorldManifold(this.#manifold)!.points.slice(0, count)
+      : [(contact.getFixtureA() === edge ? contact.getFixtureB() : contact.getFixtureA()).getAABB(0).getCenter()]
+    const sum = points.reduce((a, b) => ({ x: a.x + b.x, y: a.y + b.y }), { x: 0, y: 0 })
+    return { x: sum.x / points.length, y: sum.y / points.length }
+  }
+
   override isOwn(fixture: Fixture): boolean { return this.of(fixture) !== null }
   isInStep(): boolean { return this.physics.isLocked() }
   isAlone(): boolean { return this.physics.getBodyCount() <= this.#bodyCount }
@@ -107,7 +137,7 @@ class Edges extends PlanckBodies implements Adapter<Body, Material> {
     }
     for (const number of left) if (this.#chunks[number]!.fixtures === 0) this.#destroyChunk(number)
     // planck itself wakes what touched a fixture that is destroyed.
-    if (!this.isAlone()) for (let k = 0; k < length; ++k) this.#wakeAround(this.#edges[changes.id(k)]!.fixture)
+    if (!this.isAlone()) this.#wakeAround(changes)
   }
 
   clear(): void {
@@ -188,11 +218,31 @@ class Edges extends PlanckBodies implements Adapter<Body, Material> {
     --this.#bodyCount
   }
 
-  #wakeAround(fixture: Fixture): void {
-    this.physics.queryAABB(fixture.getAABB(0), (near) => {
-      const body = near.getBody()
-      if (!body.isStatic()) body.setAwake(true)
-      return true
+  /** Those that are near one of the edges, if anybody is near all of them. */
+  #wakeAround(changes: EdgeChanges): void {
+    const { length } = changes
+    if (length === 0) return
+    const all = { lowerBound: { x: Infinity, y: Infinity }, upperBound: { x: -Infinity, y: -Infinity } }
+    const boxes: AABBValue[] = []
+    for (let k = 0; k < length; ++k) {
+      const box = this.#edges[changes.id(k)]!.fixture.getAABB(0), { lowerBound: a, upperBound: b } = box
+      boxes.push(box)
+      if (a.x < all.lowerBound.x) all.lowerBound.x = a.x
+      if (a.y < all.lowerBound.y) all.lowerBound.y = a.y
+      if (b.x > all.upperBound.x) all.upperBound.x = b.x
+      if (b.y > all.upperBound.y) all.upperBound.y = b.y
+    }
+    let isSomebody = false
+    this.physics.queryAABB(all, (near) => {
+      isSomebody = !near.getBody().isStatic()
+      return !isSomebody
     })
+    if (!isSomebody) return
+    for (const box of boxes)
+      this.physics.queryAABB(box, (near) => {
+        const body = near.getBody()
+        if (!body.isStatic()) body.setAwake(true)
+        return true
+      })
   }
 }

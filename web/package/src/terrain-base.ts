@@ -34,13 +34,13 @@ export abstract class TerrainBase<Body, Material> {
   #isGone = false
 
   /** `shortest` is in metres. */
-  protected constructor(world: World, options: CommonOptions<Material>, shortest: number) {
-    const { cellSize, origin, chunkCells, onCaught, material } = checked(options)
+  protected constructor(world: World, options: CommonOptions<Material>, shortest: number, more: readonly string[] = []) {
+    const { cellSize, origin, chunkCells, merge, onCaught, material } = checked(options, more)
     this.world = world
     this.frame = { cellSize, origin }
     this.chunkCells = chunkCells
     this.#onCaught = onCaught
-    this.rules = new TerrainRules(world, chunkCells, shortest / cellSize, material)
+    this.rules = new TerrainRules(world, chunkCells, shortest / cellSize, merge, material)
   }
 
   /** Puts in what was committed. The constructor of a terrain ends with it. */
@@ -70,7 +70,7 @@ export abstract class TerrainBase<Body, Material> {
 
   /** Commits the world, and shows it: sync(world.commit()). In a step it does not commit. */
   commit(): Changes {
-    this.#refuseInStep()
+    this.refuseInStep()
     const changes = this.world.commit()
     this.sync(changes)
     return changes
@@ -105,14 +105,15 @@ export abstract class TerrainBase<Body, Material> {
     return this.#bodies
   }
 
-  #refuseInStep(): void {
+  /** Throws 'busy' where nothing can be changed now. */
+  refuseInStep(): void {
     if (this.isInStep)
       throw new LgsError('busy', 'the physics world is in a step: note what was hit, and change the ground after the step')
     if (this.#isSyncing) throw new LgsError('busy', 'the terrain is changing: a listener of contacts must not change it')
   }
 
   #during(work: () => void): void {
-    this.#refuseInStep()
+    this.refuseInStep()
     this.#isSyncing = true
     try {
       work()
@@ -130,7 +131,7 @@ export abstract class TerrainBase<Body, Material> {
   /** Takes everything out of the physics world. A second call does nothing. */
   destroy(): void {
     if (this.#isGone) return
-    this.#refuseInStep()
+    this.refuseInStep()
     this.#isGone = true
     this.#adapter.clear()
     this.rules.drop()
@@ -156,7 +157,7 @@ export abstract class TerrainBase<Body, Material> {
    * put elsewhere: from there on afterStep() guards them. Without it their first step is not guarded.
    */
   beforeStep(): void {
-    this.#refuseInStep()
+    this.refuseInStep()
     this.#asked.beforeStep()
   }
 
@@ -165,7 +166,7 @@ export abstract class TerrainBase<Body, Material> {
    * something fast through now and then. Such a body is put back to where it was free, at rest. Returns them.
    */
   afterStep(): Body[] {
-    this.#refuseInStep()
+    this.refuseInStep()
     return this.#bodies.afterStep()
   }
 
@@ -200,7 +201,7 @@ export abstract class TerrainBase<Body, Material> {
    * on by some units.
    */
   moveOrigin(cell: { readonly i: number; readonly j: number }): void {
-    this.#refuseInStep()
+    this.refuseInStep()
     this.frame.origin = originOf(cell)
     this.#adapter.placeChunks()
     if (!this.#adapter.isAlone()) this.#bodies.afterRounding()

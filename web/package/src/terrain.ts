@@ -1,7 +1,7 @@
 // What the terrains for physics engines have in common. The rules are the engine's, in C++: which edges there are, which
 // are welded, which bodies new ground catches and how they get out. web/wasm/terrain.cpp is the other side. Here they are
 // asked; what they say is done by planck.ts and box2d3.ts.
-import { bad, int32, object, uint32, within } from './check.js'
+import { bad, int32, object, options as known, uint32, within } from './check.js'
 import type { Engine } from './engine.js'
 import { LgsError } from './error.js'
 import type { Block, Changes, SegmentId, World } from './types.js'
@@ -31,6 +31,11 @@ export interface CommonOptions<Material> {
   origin?: { readonly i: number; readonly j: number }
   /** Cells along the side of a chunk, 1 to 4,096; 16 if not given. */
   chunkCells?: number
+  /**
+   * Whether segments of equal materials that go straight on become one edge, as far as a chunk reaches: then a body that
+   * rolls over a floor of many cells has one contact, which begins once.
+   */
+  merge?: boolean
   /** Asked once for each block. It may use the package. If it throws, nothing has changed. */
   material?: (block: Block) => Material
   /**
@@ -53,14 +58,17 @@ export function onCaughtOf(value: OnCaught | undefined): OnCaught {
   return value ?? 'push'
 }
 
-/** The options, checked. */
-export function checked<Material>(options: CommonOptions<Material>) {
-  const { cellSize = 1, origin = { i: 0, j: 0 }, chunkCells = 16, material, onCaught } =
-    object('options', 'those of a terrain', options)
+const names = ['cellSize', 'origin', 'chunkCells', 'merge', 'material', 'onCaught'] as const
+
+/** The options, checked. A terrain may have `more` of them. */
+export function checked<Material>(options: CommonOptions<Material>, more: readonly string[]) {
+  const { cellSize = 1, origin = { i: 0, j: 0 }, chunkCells = 16, merge = false, material, onCaught } =
+    known('options', [...names, ...more] as typeof names[number][], options)
+  if (typeof merge !== 'boolean') throw bad('merge', 'true or false', merge)
   within('cellSize', cellSize, 2e-6, 1e9)
   within('chunkCells', int32('chunkCells', chunkCells), 1, 4096)
   if (material !== undefined && typeof material !== 'function') throw bad('material', 'a function', material)
-  return { cellSize, origin: originOf(origin), chunkCells, onCaught: onCaughtOf(onCaught), material: material ?? (() => ({}) as Material) }
+  return { cellSize, origin: originOf(origin), chunkCells, merge, onCaught: onCaughtOf(onCaught), material: material ?? (() => ({}) as Material) }
 }
 
 export function originOf(cell: { readonly i: number; readonly j: number }) {
@@ -117,15 +125,17 @@ export class TerrainRules<Material> {
   #world: World
   readonly #material: (block: Block) => Material
   readonly #materials = new Map<Block, Material>()
+  readonly #numbers: Map<string, number> | null // of materials, where edges merge
   #terrain: number // its address; 0 when it is gone
   #version = -1
 
   /** `shortest` is in cells. No edges yet: showAll() makes them. */
-  constructor(world: World, chunkCells: number, shortest: number, material: (block: Block) => Material) {
+  constructor(world: World, chunkCells: number, shortest: number, merge: boolean, material: (block: Block) => Material) {
     const { engine, address } = placeOf(world)
     this.#world = world
     this.#material = material
-    this.#terrain = engine.call.terrain(address, chunkCells, Math.ceil(shortest * 65536)) >>> 0
+    this.#numbers = merge ? new Map() : null
+    this.#terrain = engine.call.terrain(address, chunkCells, Math.ceil(shortest * 65536), merge ? 1 : 0) >>> 0
   }
 
   /** The engine of a world that lives. */
@@ -153,6 +163,11 @@ export class TerrainRules<Material> {
     if (material === undefined) {
       material = this.#material(block)
       object('what material() gives', 'an object', material as object)
+      if (this.#numbers !== null) {
+        const key = JSON.stringify(Object.entries(material as object).sort()), number = this.#numbers.get(key) ?? this.#numbers.size
+        this.#numbers.set(key, number)
+        this.#engine.call.materialIs(this.#terrain, block, number)
+      }
       this.#materials.set(block, material)
     }
     return material

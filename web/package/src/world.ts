@@ -39,7 +39,7 @@ class Brushed implements BrushResult {
 }
 
 /** What makes a world in the engine: its address, or 0 and a failure. */
-type Maker = (engine: Engine, relation: number, isFloat: number) => number
+export type Maker = (engine: Engine, relation: number, isFloat: number) => number
 
 class EngineWorld implements World {
   #engine: Engine
@@ -49,6 +49,7 @@ class EngineWorld implements World {
   readonly #segments: Lists
   readonly #options: WorldOptions
   #brush = 0
+  #isInGroup = false // edits that are undone together if one of them is refused
 
   constructor(make: Maker, options: WorldOptions) {
     const { preserve, precision = 'double' } = known('options', ['preserve', 'precision'], options)
@@ -82,6 +83,25 @@ class EngineWorld implements World {
   static placeOf(world: World): { engine: Engine; address: number } {
     if (typeof world !== 'object' || world === null || !(#world in world)) throw bad('world', 'a world of createWorld()', world)
     return { engine: (world as EngineWorld).#engine, address: (world as EngineWorld).#live }
+  }
+
+  /** Edits as one: if they throw, nothing has changed. No edits may wait for their commit. */
+  static group<T>(world: World, edits: (world: World) => T): T {
+    const own = world as EngineWorld
+    let keeps = 0
+    own.#call.beginGroup(own.#live)
+    own.#isInGroup = true
+    try {
+      const result = edits(world)
+      keeps = 1
+      return result
+    } finally {
+      own.#isInGroup = false
+      own.#call.endGroup(own.#live, keeps)
+    }
+  }
+  #refuseInGroup(): void {
+    if (this.#isInGroup) throw new LgsError('busy', 'what is one stroke must only edit the world')
   }
 
   /** What it was made with, for another one like it. */
@@ -157,7 +177,10 @@ class EngineWorld implements World {
 
   // --- Commits and going back
 
-  commit(): Changes { return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.commit(world))) }
+  commit(): Changes {
+    this.#refuseInGroup()
+    return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.commit(world)))
+  }
   checkpoint(): Mark { return this.#call.checkpoint(this.#live) }
   rollBack(mark: Mark, undone: 'drop' | 'keep' = 'drop'): Changes {
     if (undone !== 'drop' && undone !== 'keep') throw bad('undone', "'drop' or 'keep'", undone)
@@ -165,6 +188,7 @@ class EngineWorld implements World {
   }
   rollForward(mark: Mark): Changes { return this.#roll(mark, 2) }
   #roll(mark: Mark, way: number): Changes {
+    this.#refuseInGroup()
     whole('mark', mark)
     return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.roll(world, mark, way)))
   }
@@ -303,6 +327,7 @@ class EngineWorld implements World {
 
   free(): void {
     if (this.#world === 0) return
+    this.#refuseInGroup()
     if (!this.#engine.ended) this.#call.free(this.#world)  // refused within preserve(): then the world lives on
     this.#world = 0
     this.#changes.end()
@@ -313,7 +338,10 @@ class EngineWorld implements World {
   [inspect](): unknown { return shown('World', this.#world === 0 || this.#engine.ended ? { freed: true } : this.stats()) }
 }
 
-export const { placeOf, optionsOf } = EngineWorld
+export const { group, placeOf, optionsOf } = EngineWorld
+
+/** For modules of this package: a world that the engine makes in another way. */
+export const worldOf = (make: Maker, options: WorldOptions): World => new EngineWorld(make, options)
 
 /** An empty world. */
 export function createWorld(options: WorldOptions = {}): World {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
-import { createWorld, init, Islands, LgsError, unitSquare } from 'localgridseg/islands'
+import { beyond, createWorld, init, Islands, LgsError, unitSquare } from 'localgridseg/islands'
 import { Pieces } from 'localgridseg/pieces'
 
 before(() => init())
@@ -139,20 +139,30 @@ test('what comes back waits for its commit: pieces say so until then', () => {
   for (const each of [pieces, world]) each.free()
 })
 
-test('there are no islands where a chunk is away', () => {
-  const world = createWorld()
-  world.fill({ i0: 0, j0: 0, i1: 40, j1: 40 }, world.shape(unitSquare), 1)
-  world.commit()
-  const islands = new Islands(world)
+test('what reaches the edge of memory is beyond, and never loose', () => {
+  const world = createWorld(), square = world.shape(unitSquare)
+  world.fill({ i0: 20, j0: 3, i1: 40, j1: 3 }, square, 1)  // from chunk to chunk
+  world.fill({ i0: 3, j0: 3, i1: 4, j1: 3 }, square, 1)
+  const [{ id }] = (world.commit(), world.polygonsAt(35, 3))
+  const islands = new Islands(world, { blocks: [9] })
+  const update = () => islands.update(world.commit())
+  assert.equal(islands.all().length, 2)
   const [{ bytes }] = world.unload(chunkAt(0, 0))
-  const changes = world.commit()
-  refuses('left-out', () => islands.update(changes))
-  refuses('unloaded', () => new Islands(world))
+  update()
+  assert.deepEqual(islands.all(), [], 'one is away, the other leads there')
+  assert.equal(islands.of(id), beyond)
+  assert.deepEqual([islands.loose(), islands.island(beyond)], [[], null])
+  refuses('stale-handle', () => islands.take(beyond))
+  world.clear(33, 3)
+  update()
+  assert.equal(islands.loose().length, 1, 'it does not lead there any more')
+  const anew = new Islands(world, { blocks: [9] })
+  assert.equal(anew.all().length, 1)
   world.reload(bytes)
-  world.commit()
-  const again = new Islands(world)
-  assert.equal(again.all().length, 1)
-  for (const view of [islands, again]) view.free()
+  update()
+  assert.equal(islands.loose().length, 2, 'what came in is told')
+  for (const view of [islands, anew]) view.free()
+  world.free()
 })
 
 test('memory goes down when chunks leave, and stays down', () => {

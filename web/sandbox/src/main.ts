@@ -1,6 +1,7 @@
 // The page: puts the parts together, and the controls to them.
 import { init } from 'localgridseg/islands'
 import { Camera } from './camera.js'
+import { Digger } from './digger.js'
 import { Game } from './game.js'
 import { listenToKeys } from './keys.js'
 import { Loop } from './loop.js'
@@ -35,14 +36,20 @@ listenToKeys({
 })
 viewer.showHome()
 const isNew = !(await ui.openAddress())
-loop.start()
-const race = new RaceStage(() => (loop.running = false), () => (loop.running = true))
-// Who knows the page, or was sent to something on it, is shown nothing.
+// Who knows the page, or was sent to something on it, has all tools at once.
+const digger = new Digger(), isFirst = isNew && location.hash === '' && !Welcome.wasSeen()
 let welcome: Welcome | null = null
-if (isNew && location.hash === '' && !Welcome.wasSeen()) {
-  ui.isShowing = true
-  welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
+loop.start()
+if (isFirst) {
+  loop.running = false
+  await digger.open(() => {
+    loop.running = true
+    viewer.showHome()
+    ui.isShowing = true
+    welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
+  })
 }
+const race = new RaceStage(() => (loop.running = false), () => (loop.running = true))
 document.body.dataset.ready = 'true'
 
 // For tests and for the curious: steps without a clock, and what is going on.
@@ -55,6 +62,7 @@ Object.assign(window, {
       for (let k = 0; k < count; ++k) game.step()
     },
     race,
+    digger,
     prepare: () => prepare(game, viewer),
     measure(place: Place, frames: number) {
       return measure(game, viewer, loop, place, frames)

@@ -1,6 +1,7 @@
 // How things leave the page: in its address (deflated, in base64 that addresses can hold), by the clipboard, or as a
-// file. An address holds a state (state.ts); those of earlier versions hold a trace.
+// file. An address holds a state (state.ts), or a trace: packed, or as it is, written for an address.
 const prefixes = { state: '#state=', trace: '#trace=' } as const
+const plain = '#plain='
 
 export interface Held {
   readonly kind: keyof typeof prefixes
@@ -16,6 +17,7 @@ export async function toHash(text: string): Promise<string> {
 
 /** Null if the address holds nothing. Throws if it is damaged. */
 export async function fromHash(hash: string): Promise<Held | null> {
+  if (hash.startsWith(plain)) return { kind: 'trace', text: decodeURIComponent(hash.slice(plain.length)) }
   for (const kind of ['state', 'trace'] as const) {
     const prefix = prefixes[kind]
     if (!hash.startsWith(prefix)) continue

@@ -1,5 +1,6 @@
 // What one sees first: a rock that falls, where to dig, on a phone too, and which scene it is.
 import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { openBrowser } from './browser.js'
 
@@ -7,9 +8,10 @@ let browser
 before(async () => (browser = await openBrowser()))
 after(() => browser.close())
 
-test('who comes for the first time sees a rock fall, and where to dig the next one; nothing of it is kept', () =>
+test('who goes on to all tools for the first time sees a rock fall, and where to dig the next one; nothing of it is kept', () =>
   browser.onPath(
     async (page) => {
+      await page.locator('#dig-more').click()
       await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length > 0)
       assert.ok(await page.locator('input[name=tool][value=dig]').isChecked())
       await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length === 0)
@@ -55,3 +57,82 @@ test('the menu says which scene is open', () =>
     })
     assert.ok(below > 0.8, `${below} of them`)
   }))
+
+/** The page as who comes for the first time has it: a digger. */
+const first = (test, context) => browser.onPath(test, '?welcome', { context })
+const calm = { reducedMotion: 'reduce' } // no hand digs
+const rocks = (page) => page.evaluate(() => window.sandbox.digger.ground.rocks().length)
+const area = (page) => page.evaluate(() => {
+  const { ground } = window.sandbox.digger
+  const of = (polygons) => polygons.reduce((sum, { vertices: v }) => v.reduce((s, _, k) => (k % 2 ? s : s + (v[k] * v[(k + 3) % v.length] - v[k + 1] * v[(k + 2) % v.length]) / 2), sum), 0)
+  return of(ground.world.polygons()) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
+})
+/** Cuts the first stem: a drag across it. */
+async function cutStem(page) {
+  const { x, y, height } = await page.locator('#dig').boundingBox()
+  const size = (page.viewportSize().width < 720 ? 22 : 26)
+  await page.mouse.move(x + 1.5 * size, y + 0.62 * height)
+  await page.mouse.down()
+  for (let k = 1; k <= 8; ++k) await page.mouse.move(x + (1.5 + (3 * k) / 8) * size, y + 0.62 * height)
+  await page.mouse.up()
+}
+
+test('who comes first sees a hand that digs; whoever digs takes over, and the code beside is that which runs', () =>
+  first(async (page) => {
+    await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length > 0)
+    assert.ok(await page.locator('#dig-race canvas').isVisible())
+    assert.ok(!(await page.locator('#panes').isVisible()))
+    await page.waitForFunction(() => document.querySelector('#dig-code code').textContent !== '')
+    const code = await page.locator('#dig-code code').textContent()
+    assert.equal(code, readFileSync(new URL('../../examples/digger.js', import.meta.url), 'utf8'))
+    const lines = code.slice(code.indexOf('export async function'), code.indexOf('\nfunction mushrooms')).trim().split('\n')
+    assert.ok(lines.length <= 30, `${lines.length} lines`)
+    await cutStem(page)
+    assert.ok(await page.locator('#dig-hand').isHidden())
+  }, { viewport: { width: 1280, height: 800 } }))
+
+test('a stem is cut, its cap falls and is ground again; held, the button brings all of it back', () =>
+  first(async (page) => {
+    const whole = await area(page)
+    await cutStem(page)
+    assert.equal(await rocks(page), 1)
+    const cut = await area(page)
+    assert.ok(cut < whole - 0.5 && cut > whole - 5, `${whole}, ${cut}`)
+    await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length === 0, null, { timeout: 60_000 })
+    assert.ok(Math.abs((await area(page)) - cut) < 0.2)
+    const { x, y } = await page.locator('#dig-back').boundingBox()
+    await page.mouse.move(x + 9, y + 9)
+    await page.mouse.down()
+    await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
+    await page.mouse.up()
+    assert.ok(Math.abs((await area(page)) - whole) < 1e-6, `${await area(page)} and not ${whole}`)
+  }, calm))
+
+test('by keys: a cursor, Enter digs, Z goes back', () =>
+  first(async (page) => {
+    await page.locator('#dig').focus()
+    for (let k = 0; k < 30; ++k) await page.keyboard.press('ArrowDown')
+    await page.keyboard.press('Enter')
+    assert.ok(await page.evaluate(() => window.sandbox.digger.ground.canUndo))
+    await page.keyboard.down('z')
+    await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
+    await page.keyboard.up('z')
+  }, calm))
+
+test('on a phone: targets of 44 pixels, nothing beyond its sides; and all tools are one touch away', () =>
+  first(async (page) => {
+    const small = await page.evaluate(() =>
+      [...document.querySelectorAll('#digger button, #digger label, header button, nav a')]
+        .filter((each) => each.offsetParent !== null)
+        .map((each) => [each.textContent, each.getBoundingClientRect()])
+        .filter(([, { height, left, right }]) => height < 43.5 || left < 0 || right > 390)
+        .map(([text, { height, left, right }]) => `${text}: ${height} high, ${left} to ${right}`))
+    assert.deepEqual(small, [])
+    await page.locator('#dig-show').check()
+    assert.ok(await page.locator('#dig-code pre').isVisible())
+    await page.locator('#dig-show').uncheck()
+    await cutStem(page)
+    assert.equal(await rocks(page), 1)
+    await page.locator('#dig-more').tap()
+    assert.ok(await page.locator('#pane-0').isVisible() && await page.locator('#digger').isHidden())
+  }, { ...calm, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }))

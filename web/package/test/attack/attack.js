@@ -51,7 +51,7 @@ function doorOf(declared) {
 const script = fileURLToPath(new URL('../../../../proptests/attack/declared.py', import.meta.url))
 const declared = execFileSync('python3', [script], { encoding: 'utf8' }).trim().split('\n')
 /** All but those of doors.txt: init(), which is the engine's beginning, and what a refusal is made of. */
-export const doors = declared.filter((name) => !/^(\w+\/init|LgsError\.constructor)\(/.test(name)).map(doorOf)
+export const doors = declared.filter((name) => !/^([\w-]+\/init|LgsError\.constructor)\(/.test(name)).map(doorOf)
 
 const shown = (value) => inspect(value, { depth: 1, maxArrayLength: 6, breakLength: Infinity, compact: true }).slice(0, 80)
 const told = (scene, { door, picks }) => `${door.name}: ${argumentsOf(scene, door, picks).map(shown).join(', ')}`
@@ -63,7 +63,7 @@ const argumentsOf = (scene, door, picks) =>
 
 /** Makes a call; throws if the package breaks its word. */
 function strike(scene, { door, picks }) {
-  const args = argumentsOf(scene, door, picks), before = [seen(scene.world), seen(scene.other.world)]
+  const args = argumentsOf(scene, door, picks), before = scene.worlds.map(seen)
   try {
     const answer = door.call(scene, args)
     if (typeof answer === 'object' && answer !== null) for (const key in answer) void answer[key] // lists are made when asked for
@@ -72,7 +72,7 @@ function strike(scene, { door, picks }) {
     if (!(error instanceof LgsError)) throw error
     assert.ok(error.code !== 'crashed' && error.code !== 'out-of-memory', error.message)
     if (error.code === 'preserve-failed' || error.code === 'not-a-copy') return
-    assert.deepEqual([seen(scene.world), seen(scene.other.world)], before, `it was refused, and has changed something: ${error.message}`)
+    assert.deepEqual(scene.worlds.map(seen), before, `it was refused, and has changed something: ${error.message}`)
   }
 }
 
@@ -92,7 +92,7 @@ function strikeAll(blows) {
   const scene = new Scene(blows.map(({ door }) => door))
   try {
     for (const blow of blows) strike(scene, blow)
-    for (const world of [scene.world, scene.other.world]) expectSameOutline(world)
+    for (const world of scene.worlds) expectSameOutline(world)
   } finally {
     scene.free()
   }

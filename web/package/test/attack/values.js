@@ -2,11 +2,11 @@
 // look like them: stale, made up, of another world, one beyond each limit. And what is of no type of ours.
 import { Circle, World as Planck } from 'planck'
 import { circle, createWorld, GroundHashes, LgsError } from 'localgridseg'
-import { Islands } from 'localgridseg/islands'
+import { Ground, Islands } from 'localgridseg/islands'
 import { Pieces } from 'localgridseg/pieces'
-import { FallingGround, PlanckTerrain } from 'localgridseg/planck'
+import { FallingGround, Ground as PlanckGround, PlanckTerrain } from 'localgridseg/planck'
 import { Box2dTerrain, FallingGround as Box2dFalling } from 'localgridseg/box2d3'
-import { OutlineLines, GroundMeshes } from 'localgridseg/draw'
+import { GroundMeshes, GroundPicture, OutlineLines } from 'localgridseg/draw'
 import { parseTrace, TracePlayer } from 'localgridseg/trace'
 import { importMap } from 'localgridseg/full'
 import { b2, makeBody, makePhysics } from '../box2d3.js'
@@ -61,10 +61,16 @@ const ofType = {
   ErrorCode: ['overlap'],
   FallingOptions: [{}, { density: () => NaN }, { density: () => -1 }, { material: () => null }, { density: mine }],
   Fixture: (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
+  'Fixture | Contact': (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
+  GroundOptions: [{}, { anchors: { blocks: [9] } }, { undoSteps: 0 }, { undoSteps: NaN }, { shelf: {} }, { shelf: 7 }, { land: mine }, { follow: 7 }, { anchors: { blocks: [0.5] } }, { preserve: mine }],
   GroundBody: [ground, { ...ground, polygons: [] }, { ...ground, i: 2 ** 31 - 1 }, { ...ground, polygons: [{ i: 2 ** 31 - 1, j: 0, block: 1, vertices: square }] },
     { ...ground, polygons: [{ i: 0, j: 0, block: 1, vertices: [0, 0, 9, 0, 0, 9] }] }, { ...ground, polygons: [null] }, { ...ground, polygons: new Array(2) }],
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   ImportOptions: [{}, { tolerance: 1e308 }, { tolerance: -1 }, { solid: true }, { polylineThickness: 0 }, { tiles: '[]' }, { tiles: '{' }, { numbers: { a: 2 ** 32 } }, { nothing: 1 }, { layers: ['*', '['] }],
+  '{ draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }': [{ draw: () => [], rocks: () => [] }, {}],
+  'Readonly<Record<number, string>>': [{ 1: 'red' }, {}],
+  'readonly [number, number, number, number, number, number]': [[1, 0, 0, 1, 0, 0]],
+  CanvasRenderingContext2D: [new Proxy({}, { get: () => () => {}, set: () => true })],
   'Int32Array': ({ square: shape }) => rowsOf(shape),
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   IslandId: (s) => [1, 0, 2, 999, 2 ** 32 - 1],
@@ -84,6 +90,8 @@ const ofType = {
   PolygonId: (s) => [s.polygons()[0], s.gone, s.other.polygon, s.polygons()[0] + 0.5],
   Region: [circle(1, 1, 1.2), ...rings.map((ring) => ({ rings: [ring] })), { rings: [] }, { rings: [square, ramp], rule: 'evenOdd' }, { rings: [ramp], rule: 'odd' }, { rings: new Array(2) }, { rings: 7 },
     circle(2 ** 30, 2 ** 30, 3), { rings: new Array(3000).fill(ramp) }],
+  'Region | number': [circle(3, 1, 0.4), 3, NaN, 2 ** 46],
+  '(number | string | undefined)[]': [1, 3, 'fill'],
   SegmentId: (s) => [s.segments()[0] ?? 0, s.old.removed[0] ?? 0, s.segments().length + 1, 2 ** 32 - 1],
   ShapeId: (s) => [s.square, s.ramp, 3, 2 ** 32 - 1],
   'TerrainBase<Body, Material>': (s) => [s.planck.terrain, s.box2d.terrain],
@@ -105,18 +113,21 @@ const ofType = {
   '{ readonly polygons: readonly GroundPolygon[] }': [ground, { polygons: [] }, { polygons: [null] }, { polygons: 7 }],
   '{ x: number; y: number; angle: number }': places,
 }
-/** Of these a game hands in what the physics engine gave it: nothing is promised for anything else. */
-const ofPhysics = ['Body', 'Box2D', 'Fixture', 'ObjectId', 'Physics', 'PhysicsId']
+/** Of these a game hands in what the physics engine or the browser gave it: nothing is promised for anything else. */
+const ofPhysics = ['Body', 'Box2D', 'CanvasRenderingContext2D', 'Fixture', 'Fixture | Contact', 'ObjectId', 'Physics', 'PhysicsId']
 /** In the terrain for Box2D a body is an id of its module. */
 const ofBox2d = { Body: (s) => [s.box2d.body] }
+/** In the ground without physics it is how a rock lies and moves. */
+const ofIslands = { Body: (s) => [s.receivers['islands/Ground'].rocks()[0]?.body, { x: 0, y: 0, angle: 0 }, null] }
 /** Cells, where a number alone would be a coordinate. */
 const isCell = /^World\.(add|addPolygon|replace|clear|polygonsAt)\(|^pieces\/Pieces\.(solid|free)Pieces\(/
 
 export function valuesFor(scene, name, type) {
-  const values = (name.startsWith('box2d3/') && ofBox2d[type]) || (type === 'number' && isCell.test(name) ? whole : ofType[type])
+  const values = (name.startsWith('box2d3/') && ofBox2d[type]) || (name.startsWith('islands/') && ofIslands[type]) || (type === 'number' && isCell.test(name) ? whole : ofType[type])
   if (!values) throw new Error(`web/package/test/attack/values.js has no values of the type ${type} of ${name}`)
+  const fits = name.includes('/Ground.paint(') && type === 'number' ? values.filter((value) => value !== 2048) : values // it would fill 13 million cells
   const strange = type.startsWith('(') ? anything.filter((value) => typeof value !== 'function' || value === mine) : anything
-  return [...(typeof values === 'function' ? values(scene) : values), ...(ofPhysics.includes(type) ? [] : strange)]
+  return [...(typeof fits === 'function' ? fits(scene) : fits), ...(ofPhysics.includes(type) ? [] : strange)]
 }
 
 /** A world in the middle of its life, another one that it knows nothing of, and of what follows it what these doors need. */
@@ -157,7 +168,7 @@ export class Scene {
       receivers.GroundHashes = new GroundHashes(world)
       this.other.hashes = new GroundHashes(other)
     }
-    if (needs('draw/')) Object.assign(receivers, { OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
+    if (needs('draw/')) Object.assign(receivers, { GroundPicture: new GroundPicture({ draw: () => [], rocks: () => [] }, {}), OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
     if (needs('ImportedMap')) receivers.ImportedMap = importMap('a.tmx', ofType.MapFiles[0], { solid: true })
     if (needs('GroundHashes')) {
       receivers.GroundHashes = new GroundHashes(world)
@@ -170,6 +181,8 @@ export class Scene {
     }
     if (needs('planck/', 'box2d3/cutOut')) this.#makePlanck()
     if (needs('box2d3/', 'planck/cutOut')) this.#makeBox2d()
+    if (needs('islands/Ground')) this.#makeGround('islands/Ground', new Ground({ anchors: { blocks: [9] } }))
+    if (needs('planck/Ground')) this.#makeGround('planck/Ground', new PlanckGround(this.planck.physics, { anchors: { blocks: [9] } }))
     this.marks[0] = world.checkpoint()
     this.marks.push(other.checkpoint())
   }
@@ -178,6 +191,21 @@ export class Scene {
   polygons = () => (seen(this.world) === 'freed' ? [] : this.world.polygons().map(({ id }) => id))
   version = () => (seen(this.world) === 'freed' ? 0 : this.world.version)
   segments = () => (seen(this.world) === 'freed' ? [] : this.world.segments().id)
+
+  /** All of which is looked at. */
+  get worlds() { return [this.world, this.other.world, ...this.#grounds.map((each) => each.world)] }
+  #grounds = []
+
+  /** With a rock in the air, and something to undo and to redo. */
+  #makeGround(name, made) {
+    made.edit((world) => world.fill({ i0: 0, j0: 0, i1: 6, j1: 0 }, world.shape(square), 9))
+    made.place(3, 2, square, 1)
+    made.dig(1, 1, 0.5)
+    made.dig(5, 1, 0.5)
+    made.undo()
+    this.receivers[name] = made
+    this.#grounds.push(made)
+  }
 
   #makePlanck() {
     const physics = new Planck({ x: 0, y: -10 }), terrain = new PlanckTerrain(physics, this.world, { chunkCells: 2 })
@@ -212,6 +240,7 @@ export class Scene {
   }
 
   free() {
+    for (const each of this.#grounds) each.free()
     if (this.box2d) b2.b2DestroyWorld(this.box2d.physics)
     this.receivers.GroundHashes?.free()
     this.other.hashes?.free()

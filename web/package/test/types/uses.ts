@@ -10,13 +10,13 @@ import { init as initInline, createWorld as createInline } from 'localgridseg/in
 import { importMap, type ImportedMap, init as initFull } from 'localgridseg/full'
 import {
   Islands, convexParts, init as initIslands, massOf, type Anchors, type ConvexPart, type GroundBody, type Island,
-  type Foreseen, type IslandChanges, type IslandId, type IslandPair, type Mass,
+  type Foreseen, type GroundDrawing, type GroundOptions, type IslandChanges, type IslandId, type IslandPair, type Mass, Ground as BareGround,
 } from 'localgridseg/islands'
 import { Pieces, init as initPieces, type PieceId, type Portal, type SolidPiece } from 'localgridseg/pieces'
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
-import { FallingGround, PlanckTerrain, cutOut, type Caught, type Falling } from 'localgridseg/planck'
+import { FallingGround, Ground as PlanckGround, PlanckTerrain, cutOut, type Caught, type Falling } from 'localgridseg/planck'
 import { Box2dTerrain, FallingGround as Box2dFalling, type Box2D, type Falling as Box2dFallen, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
-import { GroundMeshes, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
+import { GroundMeshes, GroundPicture, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
 import { World as Planck, type Body, type Fixture } from 'planck'
 
 export async function starts(module: WebAssembly.Module, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
@@ -294,4 +294,33 @@ export function fallsInBox2d(box2d: Box2D, physics: PhysicsId, terrain: Box2dTer
   const falling = new Box2dFalling(box2d, physics, terrain, islands, { material: () => ({ friction: 1 }) })
   const made: Box2dFallen[] = falling.afterSync()
   return made.map(({ body }) => body).filter((body) => !falling.settle(body))
+}
+
+export function groundOf(physics: Planck, saved: Uint8Array): number {
+  const options: GroundOptions = {
+    anchors: { blocks: [9] }, undoSteps: 10, land: (land, { i0, j0 }) => { land.addPolygon(i0, j0, [0, 0, 1, 0, 0, 1], 9) },
+    shelf: { put: (i, j, bytes) => void [i, j, bytes], get: () => undefined }, follow: (world, { after }) => void [world, after],
+  }
+  using bare = new BareGround(options)
+  using ground = new PlanckGround(physics, options, { cellSize: 0.5, merge: true }, { density: () => 2 })
+  // @ts-expect-error: it has another name
+  new BareGround({ anchor: {} })
+  new GroundPicture(ground, { 1: 'red', 2: '#00f' }).draw(document.createElement('canvas').getContext('2d')!, [1, 0, 0, -1, 0, 9])
+  ground.dig(1, 2, 3)
+  ground.dig(circle(1, 2, 3))
+  ground.paint(1, 2, 3, 4, 'replace')
+  ground.paint(circle(1, 2, 3), 4)
+  ground.place(1, 2, [0, 0, 1, 0, 0, 1], 4)
+  // @ts-expect-error: a radius is missing
+  ground.dig(1, 2)
+  const id: PolygonId = ground.edit((world) => world.addPolygon(9, 9, [0, 0, 1, 0, 0, 1], 4))
+  const done: boolean = ground.undo() && ground.redo() && ground.window({ i0: 0, j0: 0, i1: 9, j1: 9 }) && ground.canUndo && ground.canRedo
+  ground.step(1 / 60)
+  for (const { body, x, y, angle, ground: { mass } } of ground.rocks()) if (body && !body.isAwake()) void [ground.settle(body), x, y, angle, mass.area]
+  for (const { body } of bare.rocks()) if (body) body.y -= 1
+  const drawn: GroundDrawing[] = ground.draw()
+  ground.load(saved.length > 0 ? saved : ground.save())
+  const hit: Hit | null = ground.terrain.hit(physics.getContactList()!)
+  void [id, done, hit, ground.world.stats(), ground.islands.all()]
+  return drawn.flatMap(({ fills, lines }) => [...fills.map(({ vertices }) => vertices.length), ...lines.map((line) => line.length)]).length
 }

@@ -29,6 +29,13 @@ export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number,
   drawLens(c, race.lanes[1], middle, isWide ? lens / 2 + 44 : bottom + lens / 2 + 30, lens / 2, now)
 }
 
+/** The lanes alone. */
+export function drawLanes(c: CanvasRenderingContext2D, race: Race, width: number, height: number): void {
+  c.fillStyle = theme().sky
+  c.fillRect(0, 0, width, height)
+  race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: (k * height) / 2, width, height: height / 2 }))
+}
+
 function unitOf({ width }: Place): number {
   return (width - 24) / (finish + 2)
 }

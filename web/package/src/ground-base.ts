@@ -1,0 +1,414 @@
+// The ground of a game, held as one. ground.ts has it without physics, planck-ground.ts with planck. lgs/ground.h is the
+// same in C++, by the same rules:
+//
+//  1. A stroke is one step of undo, with what it cuts off. A stroke that is refused changes nothing.
+//  2. Matter is neither doubled nor lost. Undo over a take destroys the body, and the ground is back; undo over a settle
+//     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
+//  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo.
+//  4. What reaches the edge of memory is held. What is loose when it comes in falls. Undo and redo go on over chunks that
+//     left and came back. New land ends the redo.
+//  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
+import { bad, options as known, within } from './check.js'
+import { LgsError } from './error.js'
+import { ChangedSquares, chunksAround, chunksIn, everywhere, isSame, keyOf, loadedGround, makeLand, savedGround, shelfInMemory, stream } from './ground-parts.js'
+import type { GroundDrawing, GroundOptions, Host, Motion, Rock, Shelf } from './ground-types.js'
+import { inspect, shown } from './inspect.js'
+import { Islands } from './island-view.js'
+import type { GroundBody } from './island-types.js'
+import { circle } from './regions.js'
+import type { Block, CellRect, Changes, Mark, Region, Vertices, World, WorldOptions } from './types.js'
+import { createWorld, group } from './world.js'
+
+/** A rock, and between which marks it is one: it was taken in the stretch after the mark `took`. */
+interface Fallen<Body> {
+  readonly ground: GroundBody
+  motion: Motion
+  body: Body | null
+  took: number
+  settled: number
+  isInAir: boolean
+  /** How often it did not become ground by itself, or nothing held it then; and the step before which it does not try. */
+  tries: number
+  until: number
+}
+
+const atRest = ({ i, j }: GroundBody): Motion => ({ x: i, y: j, angle: 0, vx: 0, vy: 0, spin: 0 })
+const mostLand = 65_536
+const names = ['anchors', 'preserve', 'land', 'shelf', 'undoSteps', 'follow'] as const
+
+export abstract class GroundBase<Body> {
+  readonly #options: GroundOptions
+  readonly #ofWorld: WorldOptions
+  readonly #shelf: Shelf
+  readonly #undoSteps: number
+  #world: World
+  #islands: Islands
+  #host: Host<Body> | null = null
+  #marks: Mark[] = []        // after each stroke; those behind #now are ahead
+  #oldest = 0                // the number of the first mark,
+  #now = 0                   // and of that at or after which the world is
+  #fallen: Fallen<Body>[] = [] // rocks, of now and of what can be undone or redone
+  #steps = 0                 // how often rocks could settle
+  #next = 0                  // which of them looks first whether it can settle
+  #looksAtAll = false        // something may hang in the air that no update will name
+  #isEditing = false
+  #window = everywhere
+  #made = new Map<string, { i: number; j: number }>() // chunks whose land was made
+  #newLand: { readonly chunk: CellRect; readonly at: number }[] = [] // of these, which an undo may take away, and after which mark
+  readonly #squares = new ChangedSquares()
+
+  /** An empty ground. */
+  protected constructor(options: GroundOptions) {
+    const { anchors, preserve, land, shelf = shelfInMemory(), undoSteps = 64, follow } = known('options', names, options)
+    for (const [name, f] of Object.entries({ land, follow, 'shelf.put': shelf?.put, 'shelf.get': shelf?.get }))
+      if (typeof f !== 'function' && (f !== undefined || name.startsWith('shelf'))) throw bad(name, 'a function', f)
+    this.#options = { ...(anchors && { anchors }), ...(land && { land }), ...(follow && { follow }) }
+    this.#ofWorld = preserve ? { preserve } : {}
+    this.#shelf = shelf
+    this.#undoSteps = within('undoSteps', undoSteps, 0, 1e6)
+    this.#world = createWorld(this.#ofWorld)
+    this.#islands = new Islands(this.#world, anchors)
+    this.#marks = [this.#world.checkpoint()]
+  }
+
+  /** The constructors end with it. */
+  protected start(host: Host<Body>): void { this.#host = host }
+
+  get #live(): Host<Body> {
+    if (this.#host === null) throw new LgsError('freed', 'this ground was freed')
+    return this.#host
+  }
+  /** What changes the ground begins with it. */
+  #begin(): Host<Body> {
+    if (this.#isEditing) throw new LgsError('busy', 'what edit() is given must edit the world, and nothing else')
+    const host = this.#live
+    host.refuseInStep()
+    return host
+  }
+
+  // --- Strokes
+
+  /** Frees a circle, or a region. Refused as carve() is; so is what reaches out of the window. */
+  dig(region: Region): void
+  dig(x: number, y: number, radius: number): void
+  dig(what: Region | number, y = 0, radius = 0): void {
+    const region = typeof what === 'object' ? what : circle(what, y, radius)
+    this.edit((world) => world.carve(region))
+  }
+
+  /** Paints a circle, or a region. Refused as World.paint() is. */
+  paint(region: Region, block: Block, mode?: 'fill' | 'replace'): void
+  paint(x: number, y: number, radius: number, block: Block, mode?: 'fill' | 'replace'): void
+  paint(what: Region | number, ...rest: (number | string | undefined)[]): void {
+    const [block, mode] = typeof what === 'object' ? rest : rest.slice(2)
+    const region = typeof what === 'object' ? what : circle(what, rest[0] as number, rest[1] as number)
+    this.edit((world) => world.paint(region, block as Block, mode as 'fill' | 'replace' | undefined))
+  }
+
+  /** Places a polygon in a cell. Refused as addPolygon() is. */
+  place(i: number, j: number, vertices: Vertices, block: Block): void {
+    this.edit((world) => world.addPolygon(i, j, vertices, block))
+  }
+
+  /** Any edits, as one stroke, and what they give. If one of them throws nothing is changed. */
+  edit<T>(edits: (world: World) => T): T {
+    if (typeof edits !== 'function') throw bad('edits', 'a function', edits)
+    this.#begin()
+    let result: T
+    this.#isEditing = true
+    try {
+      result = group(this.#world, edits)
+    } finally {
+      this.#isEditing = false
+    }
+    this.#dropFuture()
+    this.#commit()
+    this.#mark()
+    return result
+  }
+
+  /** Whether there is a stroke to take back. */
+  get canUndo(): boolean { return this.#now > this.#oldest }
+  /** Whether there is one to make again. */
+  get canRedo(): boolean { return this.#now + 1 < this.#oldest + this.#marks.length }
+  /** Takes the last stroke back, and what fell or settled since. Whether there was one. */
+  undo(): boolean {
+    this.#begin()
+    return this.canUndo && this.#go(this.#now - 1)
+  }
+  /** Makes it again. Whether there was one. */
+  redo(): boolean {
+    this.#begin()
+    return this.canRedo && this.#go(this.#now + 1)
+  }
+  /** Lets go of all steps of undo, as after the game built a level. */
+  forgetUndo(): void {
+    this.#begin()
+    this.#dropFuture()
+    while (this.canUndo) this.#forgetOldest()
+  }
+
+  // --- Time
+
+  /** A step of the physics, in seconds. Then at most one rock that rests becomes ground. */
+  step(dt: number): void {
+    this.#begin().step(within('dt', dt, 0, 1e9))
+    if (!this.canRedo) this.#settleNext()
+  }
+
+  // --- Space
+
+  /**
+   * The chunks with a cell of a rectangle are in memory from now on, and no others; until it is called the first time, all
+   * are. With `land` there is land there, and one chunk further. False, if the shelf did not give a chunk, or other bytes:
+   * it stays away, and the next call tries again. Undo and redo go on over it, but new land ends the redo. It costs
+   * nothing if the chunks are the same.
+   */
+  window(cells: CellRect): boolean {
+    const host = this.#begin(), chunks = chunksAround(cells)
+    if (isSame(chunks, this.#window)) return true
+    const { land } = this.#options, chunkCount = ((chunks.i1 - chunks.i0) / 32 + 3) * ((chunks.j1 - chunks.j0) / 32 + 3)
+    if (land && chunkCount > mostLand) throw bad('the window', `at most ${mostLand} chunks, of which land is made,`, cells)
+    this.#window = chunks
+    const unseen = land ? [...chunksIn(chunksAround(cells, 1))].filter(({ i0, j0 }) => !this.#made.has(keyOf(i0, j0))) : []
+    for (const chunk of unseen) this.#makeLand(chunk)
+    const isAll = stream(this.#world, chunks, this.#shelf)
+    if (!isAll) this.#window = { i0: 0, j0: 0, i1: -1, j1: -1 }
+    host.window(chunks)
+    this.#commit()
+    if (unseen.length > 0) this.#markLand()
+    return isAll
+  }
+
+  /** What was marked last has the new land, too, unless something fell or settled since: so an undo to it takes none away. */
+  #markLand(): void {
+    const now = this.#now
+    if (this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
+    const mark = this.#marks.pop()!
+    this.#marks.push(this.#world.checkpoint())
+    this.#world.forget(mark)
+    this.#newLand = this.#newLand.map(({ chunk, at }) => ({ chunk, at: at === now ? now - 1 : at })).filter(({ at }) => at >= this.#oldest)
+  }
+
+  #makeLand(chunk: CellRect): void {
+    this.#dropFuture()
+    makeLand(this.#world, chunk, this.#options.land!, this.#ofWorld)
+    this.#made.set(keyOf(chunk.i0, chunk.j0), { i: chunk.i0, j: chunk.j0 })
+    this.#newLand.push({ chunk, at: this.#now })
+  }
+
+  /** An undo took away land that was made since; nobody has dug there at that time. */
+  #remakeLand(): void {
+    const again = this.#newLand.filter(({ at }) => at >= this.#now)
+    if (again.length === 0) return
+    this.#newLand = this.#newLand.filter(({ at }) => at < this.#now)
+    for (const { chunk } of again) this.#makeLand(chunk)
+    stream(this.#world, this.#window, this.#shelf)
+    this.#commit()
+    this.#markLand()
+  }
+
+  // --- Saving
+
+  /** All ground, in memory or on the shelf, and all rocks; no steps of undo. Refused as 'unloaded', if the shelf does not
+   *  give a chunk. The bytes are those of lgs::Ground in C++. */
+  save(): Uint8Array {
+    this.#begin()
+    const rocks = this.#inAir().map(({ ground, motion, body }) => ({ ground, motion: body === null ? motion : this.#live.motionOf(body) }))
+    return savedGround(this.#world, this.#shelf, rocks, [...this.#made.values()])
+  }
+
+  /** What was saved takes the place of all that is there. What hangs in the air falls. Throws 'not-a-snapshot', and nothing
+   *  is changed, if these are not the bytes of a save. */
+  load(saved: Uint8Array): void {
+    const host = this.#begin()
+    if (!(saved instanceof Uint8Array)) throw bad('saved', 'a Uint8Array', saved)
+    const { world, rocks, land } = loadedGround(saved, this.#window, this.#shelf, this.#ofWorld)
+    world.commit()
+    for (const each of this.#inAir()) this.#destroy(each)
+    const old = this.#world, oldIslands = this.#islands
+    this.#world = world
+    this.#islands = new Islands(world, this.#options.anchors)
+    this.#marks = [world.checkpoint()]
+    this.#oldest = this.#now = 0
+    this.#newLand = []
+    this.#made = new Map(land.map((corner) => [keyOf(corner.i, corner.j), corner]))
+    this.#squares.noteAll(old)
+    this.#squares.noteAll(world)
+    host.window(this.#window)
+    this.hold(world, this.#islands)
+    oldIslands.free()
+    old.free()
+    this.#fallen = rocks.map(({ ground, motion }) => this.#rockOf(ground, motion, -1))
+    for (const each of this.#fallen) this.#make(each)
+    this.#looksAtAll = true
+    this.#commit()
+  }
+
+  /** Another world, while the old one is still there. */
+  protected abstract hold(world: World, islands: Islands): void
+
+  // --- Looking
+
+  /** The squares that look different since the last call, the first time all. */
+  draw(): GroundDrawing[] {
+    void this.#live
+    return this.#squares.draw(this.#world)
+  }
+
+  /** The rocks in the air, as they lie now. */
+  rocks(): Rock<Body>[] {
+    const host = this.#live
+    return this.#inAir().map(({ ground, body, motion }) => ({ ground, body, ...(body === null ? motion : host.motionOf(body)) }))
+  }
+
+  /** Puts a rock into the ground now, as it lies. False, and nothing has changed, where it does not fit. */
+  settle(body: Body): boolean {
+    this.#begin()
+    return this.#settle(this.#find(body))
+  }
+  /** For a rock whose body the game destroyed, or keeps: it is not the ground's any more. */
+  forget(body: Body): void {
+    const found = this.#find(body)
+    this.#fallen = this.#fallen.filter((each) => each !== found)
+  }
+  #find(body: Body): Fallen<Body> {
+    const found = this.#inAir().find((each) => each.body === body)
+    if (found === undefined) throw bad('body', 'one of rocks()', body)
+    return found
+  }
+
+  /** For questions: who edits or commits it goes around this object. load() makes another one. */
+  get world(): World { return this.#world }
+  /** For questions. */
+  get islands(): Islands { return this.#islands }
+
+  /** Gives all memory back; bodies and edges leave the physics world. A second call does nothing. */
+  free(): void {
+    if (this.#host === null) return
+    const host = this.#begin()
+    for (const each of this.#inAir()) this.#destroy(each)
+    host.free()
+    this.#islands.free()
+    this.#world.free()
+    this.#fallen = []
+    this.#host = null
+  }
+  [Symbol.dispose](): void { this.free() }
+  [inspect](): unknown {
+    if (this.#host === null) return shown('Ground', { freed: true })
+    return shown('Ground', { world: this.#world, rocks: this.#inAir().length, canUndo: this.canUndo, canRedo: this.canRedo })
+  }
+
+  // --- Commits
+
+  #show(changes: Changes): void {
+    this.#live.show(changes)
+    this.#islands.update(changes)
+    this.#squares.noteChanges(this.#world)
+    this.#options.follow?.(this.#world, changes)
+  }
+
+  /** With what falls by it. */
+  #commit(): void {
+    this.#show(this.#world.commit())
+    const before = this.#fallen.length
+    while (this.#takeLoose()) this.#show(this.#world.commit())
+    for (const each of this.#fallen.slice(before)) this.#make(each)
+  }
+
+  #takeLoose(): boolean {
+    if (!this.#options.anchors) return false
+    if (this.canRedo) {
+      this.#looksAtAll = true
+      return false
+    }
+    const ids = this.#looksAtAll ? this.#islands.all() : this.#islands.loose(), before = this.#fallen.length
+    this.#looksAtAll = false
+    for (const id of ids)
+      if (this.#islands.island(id)?.anchors === 0) {
+        const ground = this.#islands.take(id)
+        this.#fallen.push(this.#rockOf(ground, atRest(ground), this.#now))
+      }
+    return this.#fallen.length !== before
+  }
+
+  #rockOf(ground: GroundBody, motion: Motion, took: number): Fallen<Body> {
+    return { ground, motion, body: null, took, settled: Infinity, isInAir: true, tries: 0, until: 0 }
+  }
+  #inAir(): Fallen<Body>[] { return this.#fallen.filter(({ isInAir }) => isInAir) }
+  #make(each: Fallen<Body>): void {
+    each.body = this.#live.make(each.ground, each.motion)
+    each.isInAir = true
+  }
+  #destroy({ body }: Fallen<Body>): void { if (body !== null) this.#live.destroy(body) }
+
+  // --- Settling
+
+  /** The rocks in turn. One that does not fit, or would fall again, tries again later and later. */
+  #settleNext(): void {
+    ++this.#steps
+    for (let k = Math.min(this.#fallen.length, 16); k > 0; --k) {
+      const each = this.#fallen[this.#next++ % this.#fallen.length]!
+      if (!each.isInAir || each.body === null || this.#steps < each.until || !this.#live.rests(each.body)) continue
+      each.until = this.#steps + 60 * 2 ** Math.min(each.tries++, 6)
+      try {
+        this.#settle(each)
+      } catch (error) {  // a brush may be refused, as in a cell that is full to its limits
+        if (!(error instanceof LgsError)) throw error
+      }
+      return
+    }
+  }
+
+  #settle(each: Fallen<Body>): boolean {
+    const { tries, until } = each, { x, y, angle } = this.#live.motionOf(each.body!)
+    if (!this.#live.settle(each.body!, each.ground)) return false
+    Object.assign(each, { body: null, isInAir: false, settled: this.#now, motion: { x, y, angle, vx: 0, vy: 0, spin: 0 } })
+    this.#dropFuture()
+    const before = this.#fallen.length
+    this.#commit()
+    for (const again of this.#fallen.slice(before)) Object.assign(again, { tries, until })  // it would fall again
+    return true
+  }
+
+  // --- Undo
+
+  #go(to: number): true {
+    const mark = this.#marks[to - this.#oldest]!
+    const changes = to < this.#now ? this.#world.rollBack(mark, 'keep') : this.#world.rollForward(mark)
+    this.#now = to
+    const isThere = ({ took, settled }: Fallen<Body>) => took < to && settled >= to
+    for (const each of this.#fallen) {
+      if (!each.isInAir || isThere(each)) continue
+      this.#destroy(each)
+      each.body = null
+      each.isInAir = false
+      if (each.took >= to) each.motion = atRest(each.ground)
+    }
+    this.#show(changes)
+    for (const each of this.#fallen) if (!each.isInAir && isThere(each)) this.#make(each)
+    this.#remakeLand()
+    return true
+  }
+
+  /** Before an edit is kept: what was undone can not come back, and what was made again stays. */
+  #dropFuture(): void {
+    this.#marks.length = this.#now - this.#oldest + 1
+    this.#fallen = this.#fallen.filter(({ isInAir, took }) => isInAir || took < this.#now)
+    for (const each of this.#fallen) if (each.isInAir) each.settled = Infinity
+  }
+
+  #mark(): void {
+    this.#marks.push(this.#world.checkpoint())
+    ++this.#now
+    if (this.#marks.length > this.#undoSteps + 1) this.#forgetOldest()
+  }
+
+  #forgetOldest(): void {
+    this.#world.forget(this.#marks.shift()!)
+    ++this.#oldest
+    this.#fallen = this.#fallen.filter(({ isInAir, settled }) => isInAir || settled >= this.#oldest)
+    this.#newLand = this.#newLand.filter(({ at }) => at >= this.#oldest)
+  }
+}

@@ -1,0 +1,118 @@
+// The ground of a game with planck.
+import type { Body, World as Physics } from 'planck'
+import { GroundBase } from './ground-base.js'
+import { contains, everywhere } from './ground-parts.js'
+import type { GroundOptions, Host, Motion } from './ground-types.js'
+import type { Islands } from './island-view.js'
+import type { GroundBody } from './island-types.js'
+import { FallingGround, type FallingOptions } from './planck-falling.js'
+import { PlanckTerrain, type TerrainOptions } from './planck.js'
+import type { CellRect, Changes, World } from './types.js'
+
+/**
+ * The ground of a game, held as one: dug, painted and built; what is cut off falls as a body, and is ground again where it
+ * rests; all of it is undone and redone, streamed, saved, loaded and drawn. It owns the order of calls, the marks, and the
+ * bodies that came out of the ground.
+ *
+ *   const ground = new Ground(physics, { anchors: { cells: [{ i0: -1000, j0: 0, i1: 1000, j1: 0 }] } }, { cellSize: 0.5 })
+ *   ground.dig(x, y, 2)                                          // in cells; a step of undo
+ *   ground.step(1 / 60)                                          // physics.step(), and what rests becomes ground
+ *   if (pressed('z')) ground.undo()
+ *   for (const square of ground.draw()) repaint(square)          // what changed
+ */
+export class Ground extends GroundBase<Body> {
+  readonly #host: InPlanck
+
+  constructor(physics: Physics, options: GroundOptions = {}, terrain: TerrainOptions = {}, falling: FallingOptions = {}) {
+    super(options)
+    this.#host = new InPlanck(physics, this.world, this.islands, terrain, falling)
+    this.start(this.#host)
+  }
+
+  /** To ask what was hit, and the like; it is synced already. */
+  get terrain(): PlanckTerrain { return this.#host.terrain }
+
+  protected override hold(world: World, islands: Islands): void { this.#host.hold(world, islands) }
+}
+
+class InPlanck implements Host<Body> {
+  readonly terrain: PlanckTerrain
+  readonly #physics: Physics
+  readonly #ofFalling: FallingOptions
+  #falling: FallingGround
+  #window = everywhere
+  #away = new Set<Body>() // out of the window, and disabled
+
+  constructor(physics: Physics, world: World, islands: Islands, terrain: TerrainOptions, falling: FallingOptions) {
+    this.#physics = physics
+    this.#ofFalling = falling
+    this.terrain = new PlanckTerrain(physics, world, terrain)
+    this.#falling = new FallingGround(physics, this.terrain, islands, falling)
+  }
+
+  hold(world: World, islands: Islands): void {
+    this.terrain.resync(world)
+    this.#falling = new FallingGround(this.#physics, this.terrain, islands, this.#ofFalling)
+  }
+
+  refuseInStep(): void { this.terrain.refuseInStep() }
+  show(changes: Changes): void { this.terrain.sync(changes) }
+
+  make(ground: GroundBody, { x, y, angle, vx, vy, spin }: Motion): Body | null {
+    const body = this.#falling.make(ground, { x, y, angle })?.body ?? null, { cellSize } = this.terrain
+    body?.setLinearVelocity({ x: vx * cellSize, y: vy * cellSize })
+    body?.setAngularVelocity(spin)
+    return body
+  }
+  motionOf(body: Body): Motion {
+    const { x, y } = body.getLinearVelocity(), { cellSize } = this.terrain
+    return { ...this.#falling.placeOf(body), vx: x / cellSize, vy: y / cellSize, spin: body.getAngularVelocity() }
+  }
+  rests(body: Body): boolean { return body.isActive() && !body.isAwake() }
+  settle(body: Body): boolean { return this.#falling.settle(body) }
+  destroy(body: Body): void {
+    this.#falling.forget(body)
+    if (this.#all().has(body)) this.#physics.destroyBody(body)
+  }
+
+  /** Bodies come back before the ground that they were in is new: so law 13 holds for them. */
+  window(cells: CellRect): void {
+    this.#window = cells
+    const all = this.#away.size > 0 ? this.#all() : this.#away
+    for (const body of this.#away) {
+      if (all.has(body) && this.#isAway(body)) continue
+      this.#away.delete(body)
+      if (!all.has(body)) continue
+      body.setActive(true)
+      this.terrain.moved(body)
+    }
+    this.#disableAway()
+  }
+
+  step(dt: number): void {
+    this.terrain.beforeStep()
+    this.#physics.step(dt)
+    this.terrain.afterStep()
+    this.#disableAway()
+  }
+
+  free(): void { this.terrain.destroy() }
+
+  #all(): Set<Body> {
+    const bodies = new Set<Body>()
+    for (let body = this.#physics.getBodyList(); body; body = body.getNext()) bodies.add(body)
+    return bodies
+  }
+  #isAway(body: Body): boolean {
+    const { x, y } = this.terrain.point(body.getWorldCenter())
+    return !contains(this.#window, x, y)
+  }
+  #disableAway(): void {
+    if (this.#window === everywhere) return
+    for (let body = this.#physics.getBodyList(); body; body = body.getNext()) {
+      if (!body.isDynamic() || !body.isActive() || !this.#isAway(body)) continue
+      body.setActive(false)
+      this.#away.add(body)
+    }
+  }
+}

@@ -1,0 +1,121 @@
+// What one sees first: the digger of examples/digger.js, its source beside it, and two wheels that race below. A hand digs
+// until somebody else does.
+import type { Ground } from 'localgridseg/planck'
+import { digger } from '../../examples/digger.js'
+import { element, onClick } from './dom.js'
+import { Race } from './race/race.js'
+import { drawLanes } from './race/view.js'
+import { copied } from './share.js'
+import { stepTime } from './side.js'
+import { wantsCalm } from './theme.js'
+
+const before = 900 // milliseconds until the hand digs
+const cut = 500 // that it takes for a stem
+const pause = 2200 // between two stems
+const wait = 1500 // between two races
+const wide = 1000 // pixels: a page that has room for the code
+
+export class Digger {
+  ground: Ground | null = null
+  readonly #section = element('digger')
+  readonly #canvas = element<HTMLCanvasElement>('dig')
+  readonly #hand = element('dig-hand')
+  readonly #strip = element('dig-race').querySelector('canvas')!
+  readonly #size = innerWidth < 720 ? 22 : 26 // pixels of a cell
+  #isShowing = !wantsCalm() // the hand digs
+  #cursor: [number, number] | null = null // of the keyboard, in pixels
+
+  async open(onLeave: () => void): Promise<void> {
+    this.#section.hidden = false
+    const show = element<HTMLInputElement>('dig-show')
+    show.checked = innerWidth > wide
+    const ratio = Math.min(2, devicePixelRatio), { clientWidth, clientHeight } = this.#canvas
+    Object.assign(this.#canvas, { width: clientWidth * ratio, height: clientHeight * ratio })
+    Object.assign(this.#canvas.style, { width: `${clientWidth}px`, height: `${clientHeight}px` }) // it stays as it is
+    this.ground = await digger(this.#canvas, this.#size)
+    onClick('dig-more', () => {
+      this.#section.hidden = true
+      onLeave()
+    })
+    this.#listen()
+    requestAnimationFrame((now) => this.#dig(now, now))
+    this.#race(performance.now())
+    const source = await (await fetch('digger.js')).text()
+    element('dig-code').querySelector('code')!.textContent = source
+    onClick('dig-copy', () => void copied(source))
+  }
+
+  #listen(): void {
+    for (const event of ['pointerdown', 'keydown']) addEventListener(event, ({ isTrusted }) => { if (isTrusted) this.#isShowing = false }, { capture: true })
+    const key = (type: string) => dispatchEvent(new KeyboardEvent(type, { key: 'z' })), back = element('dig-back')
+    back.addEventListener('pointerdown', () => key('keydown'))
+    for (const end of ['pointerup', 'pointerleave', 'pointercancel']) back.addEventListener(end, () => key('keyup'))
+    back.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') key('keydown') })
+    back.addEventListener('keyup', () => key('keyup'))
+    const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
+    this.#canvas.addEventListener('keydown', (event) => {
+      const { clientWidth, clientHeight } = this.#canvas, by = arrows[event.key]
+      if (by === undefined && event.key !== 'Enter' && event.key !== ' ') return
+      event.preventDefault()
+      const [x, y] = this.#cursor ?? [clientWidth / 2, clientHeight / 2], step = this.#size / 2
+      this.#cursor = by === undefined ? [x, y] : [x + by[0] * step, y + by[1] * step]
+      this.#show(...this.#cursor)
+      if (by === undefined) this.#touch(...this.#cursor)
+    })
+  }
+
+  #show(x: number, y: number): void {
+    this.#hand.hidden = false
+    Object.assign(this.#hand.style, { left: `${x}px`, top: `${y}px` })
+  }
+
+  /** As a finger would, and up again. */
+  #touch(...points: number[]): void {
+    const { left, top } = this.#canvas.getBoundingClientRect()
+    for (let k = 0; k < points.length; k += 2) {
+      const at = { pointerId: -1, buttons: 1, clientX: left + points[k], clientY: top + points[k + 1] }
+      this.#canvas.dispatchEvent(new PointerEvent(k === 0 ? 'pointerdown' : 'pointermove', at))
+    }
+    window.dispatchEvent(new PointerEvent('pointerup', { pointerId: -1 }))
+  }
+
+  /** The stem of one mushroom, and later that of the next. */
+  #dig(begun: number, now: number, k = 0, last: [number, number] | null = null): void {
+    if (!this.#isShowing || this.#section.hidden) {
+      this.#hand.hidden = this.#cursor === null
+      return
+    }
+    const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
+    const x = (8.6 + 5.6 * k) * this.#size, y = clientHeight * 0.62
+    const at: [number, number] = [x + this.#size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2, y]
+    this.#show(...at)
+    if (time > 0) this.#touch(...(last ?? at), ...at)
+    const isCut = time >= 1, next = k + 1
+    if (isCut) this.#hand.hidden = true
+    if (isCut && (8.6 + 5.6 * next + 2.4) * this.#size > clientWidth) return
+    requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
+  }
+
+  /** Again and again. */
+  #race(begun: number): void {
+    const race = new Race()
+    let steps = 0, ended: number | null = null
+    if (wantsCalm()) while (!race.isOver) race.step()
+    const frame = (now: number) => {
+      if (this.#section.hidden || (ended !== null && now - ended > wait && !wantsCalm())) {
+        race.free()
+        if (!this.#section.hidden) this.#race(now)
+        return
+      }
+      for (const due = Math.min(steps + 4, Math.floor((now - begun) / 1000 / stepTime)); steps < due; ++steps) race.step()
+      if (race.isOver) ended ??= now
+      const ratio = Math.min(2, devicePixelRatio), { clientWidth: width, clientHeight: height } = this.#strip
+      if (this.#strip.width !== width * ratio || this.#strip.height !== height * ratio) Object.assign(this.#strip, { width: width * ratio, height: height * ratio })
+      const c = this.#strip.getContext('2d')!
+      c.setTransform(ratio, 0, 0, ratio, 0, 0)
+      drawLanes(c, race, width, height)
+      requestAnimationFrame(frame)
+    }
+    requestAnimationFrame(frame)
+  }
+}
