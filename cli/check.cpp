@@ -203,7 +203,7 @@ void addCheck(CLI::App& app, Action& chosen) {
   addEngineOptions(command, arguments->engine);
   addReportOption(command, *arguments);
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
-  command.callback([arguments, &command, &chosen] {
+  command.callback([arguments, &chosen] {
     arguments->engine.prepare();
     if (arguments->options.views && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");

@@ -56,23 +56,22 @@ FollowerOfCells::FollowerOfCells(const Setting& setting) : caller_(setting.start
 }
 
 void FollowerOfCells::make(const Call& call) {
-  using Kind = Call::Kind;
   const std::size_t k = marks_.empty() ? 0 : call.nth % marks_.size();
   switch (call.kind) {
-    case Kind::commit:
+    case Call::Kind::commit:
       return commit();
-    case Kind::mark:  // edits may be pending
+    case Call::Kind::mark:  // edits may be pending
       return marks_.push_back({world_.checkpoint(), told_, committed_, log_.size(), caller_.given.size()});
-    case Kind::goBack:
+    case Call::Kind::goBack:
       return marks_.empty() ? void() : goBack(k);
-    case Kind::forget:
+    case Call::Kind::forget:
       if (marks_.empty()) return;
       EXPECT_TRUE(world_.forget(marks_[k].mark));
       marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(k));
       return;
-    case Kind::load:
+    case Call::Kind::load:
       return load();
-    case Kind::group:
+    case Call::Kind::group:
       return group(call);
     default:
       static_cast<void>(edit(call));
