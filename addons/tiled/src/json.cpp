@@ -11,11 +11,16 @@ namespace {
 
 constexpr int kMaxJsonDepth = 512;
 
-/// Says what is wrong with a text and where, which the parser that makes the values says by an exception alone.
-class FaultFinder : public nlohmann::detail::json_sax_acceptor<Json> {
+/// Reads a text without making values: says what is wrong with it and where. (The parser that makes them says that by an
+/// exception alone; and with a callback, which could count how deep it is, it looks at all elements of an array for each.)
+class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
  public:
-  FaultFinder(std::string_view text, bool mayQuote) : text_(text), mayQuote_(mayQuote) {}
+  Checker(std::string_view text, bool mayQuote) : text_(text), mayQuote_(mayQuote) {}
 
+  bool start_object(std::size_t) { return open(); }
+  bool start_array(std::size_t) { return open(); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& exception) {
     const std::string_view read = text_.substr(0, position);
     fault.line = 1 + static_cast<std::size_t>(std::count(read.begin(), read.end(), '\n')) - read.ends_with('\n');
@@ -31,8 +36,19 @@ class FaultFinder : public nlohmann::detail::json_sax_acceptor<Json> {
   JsonFault fault;
 
  private:
+  bool open() {
+    if (depth_++ < kMaxJsonDepth) return true;
+    fault = {0, concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep")};
+    return false;
+  }
+  bool close() {
+    --depth_;
+    return true;
+  }
+
   std::string_view text_;
   bool mayQuote_;
+  int depth_ = 0;
 };
 
 const Json kNoJson;
@@ -40,22 +56,9 @@ const Json kNoJson;
 }  // namespace
 
 tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote) {
-  bool isTooDeep = false;
-  Json root = Json::parse(
-      text.begin(), text.end(),
-      [&](int depth, Json::parse_event_t event, Json&) {
-        const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-        isTooDeep = isTooDeep || (opens && depth >= kMaxJsonDepth);
-        return !isTooDeep;
-      },
-      false);
-  if (isTooDeep)
-    return tl::unexpected(
-        JsonFault{0, concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep")});
-  if (!root.is_discarded()) return root;
-  FaultFinder finder(text, mayQuote);
-  Json::sax_parse(text.begin(), text.end(), &finder);
-  return tl::unexpected(std::move(finder.fault));
+  Checker checker(text, mayQuote);
+  if (!Json::sax_parse(text.begin(), text.end(), &checker)) return tl::unexpected(std::move(checker.fault));
+  return Json::parse(text.begin(), text.end(), nullptr, false);
 }
 
 bool JsonPlace::is(const char* key) const {
