@@ -1,5 +1,6 @@
 #include "ground/cell_changes.h"
 
+#include "geometry/sort.h"
 #include "storage/held_bytes.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ void CellChanges::readTurned(const Ground& ground, Journal::Moment commit) {
   std::vector<std::uint32_t> turned;
   for (const auto& [chunk, was] : wasLoaded_)
     if (was != (ground.grid.stateOf(chunk) == ChunkState::loaded)) turned.push_back(chunk);
-  std::ranges::sort(turned);
+  detail::sort(turned);
   for (const std::uint32_t chunk : turned) {
     if (ground.grid.stateOf(chunk) != ChunkState::loaded) continue;
     for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
@@ -84,7 +85,7 @@ void CellChanges::nameEach(const Ground& ground, std::span<const std::uint32_t> 
   const auto cornerOf = [](Cell cell) { return Cell{cell.i & -kChunkSize, cell.j & -kChunkSize}; };
   std::vector<Cell> named;
   for (const CellChange& change : changes_) named.push_back(cornerOf(change.cell));
-  std::ranges::sort(named);
+  detail::sort(named);
   for (const std::uint32_t chunk : turned) {
     if (ground.grid.stateOf(chunk) == ChunkState::none) continue;
     const Cell corner = cornerOf(ground.grid.cellOfAny(chunk * kChunkCells));
@@ -97,7 +98,7 @@ void CellChanges::nameEach(const Ground& ground, std::span<const std::uint32_t> 
 void CellChanges::read(Ground& ground, Journal::Moment commit, Way way) {
   std::vector<PlacedPolygon> then, now;
   clear();
-  std::ranges::sort(left_, {}, &LeftCell::ref);
+  detail::sort(left_, [](const LeftCell& a, const LeftCell& b) { return a.ref < b.ref; });
   for (const Note& note : ground.journal.since(commit)) {
     if (note.thing != Thing::cell || note.before >= commit) continue;
     const std::uint32_t chunk = note.key / kChunkCells;

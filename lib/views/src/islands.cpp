@@ -1,4 +1,5 @@
 // The public face of the islands.
+#include "geometry/sort.h"
 #include "island_view.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ std::vector<IslandId> Islands::loose() const noexcept {
   ids.insert(ids.end(), told.changed.begin(), told.changed.end());
   for (const IslandPair& cut : told.cutOff) ids.insert(ids.end(), {cut.from, cut.into});
   for (const IslandPair& joined : told.joined) ids.push_back(joined.into);
-  std::ranges::sort(ids);
+  detail::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   std::erase_if(ids, [&](IslandId id) {
     const auto facts = island(id);

@@ -1,4 +1,5 @@
 // Takes islands out of the ground, and says what an edit would do to them.
+#include "geometry/sort.h"
 #include "walk.h"
 
 #include <lgs/islands.h>
@@ -79,7 +80,7 @@ Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&
     for (const IslandPair& p : out.changes.cutOff) look(p.into);
     for (const IslandPair& p : out.changes.cutOff) look(p.from);
     for (const IslandPair& p : out.changes.joined) look(p.into);
-    std::ranges::sort(out.after, {}, &IslandFacts::id);
+    detail::sort(out.after, [](const IslandFacts& a, const IslandFacts& b) { return a.id < b.id; });
     const auto isSame = [](const IslandFacts& a, const IslandFacts& b) { return a.id == b.id; };
     out.after.erase(std::unique(out.after.begin(), out.after.end(), isSame), out.after.end());
   }
