@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-# What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
+# What a room may include, beside itself. The table is the rule; its order means nothing.
 ENGINE = ["lib/include"]
 GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
