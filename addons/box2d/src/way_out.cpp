@@ -1,5 +1,7 @@
 #include "way_out.h"
 
+#include "geometry/sort.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,7 +45,7 @@ WayOut::WayOut(const NewGround& ground, std::span<const Form> forms, double tole
     : ground_(ground), forms_(forms), tolerance_(tolerance), box_(boxOf(forms)) {}
 
 void WayOut::Row::sort() {
-  std::ranges::sort(pieces, {}, leftEndOf);
+  detail::sort(pieces, [](const Piece& a, const Piece& b) { return leftEndOf(a) < leftEndOf(b); });
   widest = 0;
   for (const Piece& piece : pieces)
     widest = std::max(widest, std::abs(static_cast<double>(piece.line.start.x - piece.line.end.x)));

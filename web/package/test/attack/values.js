@@ -118,7 +118,15 @@ const ofPhysics = ['Body', 'Box2D', 'CanvasRenderingContext2D', 'Fixture', 'Fixt
 /** In the terrain for Box2D a body is an id of its module. */
 const ofBox2d = { Body: (s) => [s.box2d.body] }
 /** In the ground without physics it is how a rock lies and moves. */
-const ofIslands = { Body: (s) => [s.receivers['islands/Ground'].rocks()[0]?.body, { x: 0, y: 0, angle: 0 }, null] }
+const ofIslands = { Body: (s) => [rockOf(s.receivers['islands/Ground']), { x: 0, y: 0, angle: 0 }, null] }
+const rockOf = (ground) => {
+  try {
+    return ground.rocks()[0]?.body
+  } catch (error) {
+    if (error instanceof LgsError && error.code === 'freed') return undefined
+    throw error
+  }
+}
 /** Cells, where a number alone would be a coordinate. */
 const isCell = /^World\.(add|addPolygon|replace|clear|polygonsAt)\(|^pieces\/Pieces\.(solid|free)Pieces\(/
 
