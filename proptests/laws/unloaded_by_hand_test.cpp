@@ -292,6 +292,22 @@ TEST(UnloadedByHand, WhatIsOwedOutlivesTheMarks) {
   EXPECT_EQ(world.commit().added.size(), 4U * 32) << "as before it was dug";
 }
 
+TEST(UnloadedByHand, AChunkWhoseBytesAreOutOfDateIsNotForgotten) {
+  World world = rowOfChunks(2);
+  const Mark mark = world.checkpoint();
+  EXPECT_TRUE(world.clear(Cell{5, 5}));
+  Shelf shelf;
+  EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
+  EXPECT_TRUE(world.clear(CellRect{{32, 0}, {63, 31}}));
+  EXPECT_TRUE(world.rollBack(mark));
+  EXPECT_TRUE(world.forget(mark));
+  EXPECT_EQ(world.unload(chunkAt(1, 0), shelf.sink()), 1U);
+  world.commit();
+  EXPECT_EQ(world.forgetChunks(kEverywhere), 1U) << "of the first one the bytes lack what came back";
+  EXPECT_TRUE(shelf.reload(world, {0, 0}));
+  EXPECT_FALSE(world.isEmpty({5, 5}));
+}
+
 TEST(UnloadedByHand, AChunkMadeAfterTheMarkIsEmptyAndStaysAway) {
   World world = rowOfChunks(1);
   const Mark start = world.checkpoint();
