@@ -342,6 +342,20 @@ TEST(UnloadedByHand, AChunkThatComesBackEmptyIsEmptyAtAllMarks) {
   EXPECT_EQ(world.segments().size(), 4U * 32) << "the outline is that of then, and the chunk is empty";
 }
 
+TEST(UnloadedByHand, WhatAChunkGaveUpIsReportedAfterGoingBackToWhereTheWorldIs) {
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  place(world, {5, 5}, unitSquare());
+  world.commit();
+  removeAll(world, {5, 5});
+  EXPECT_EQ(world.unload(chunkAt(0, 0), {}), 1U);
+  EXPECT_EQ(world.reloadEmpty(chunkAt(0, 0)), 1U);
+  ASSERT_TRUE(world.rollBack(world.checkpoint()));
+  ASSERT_EQ(world.cellChanges().size(), 1U);
+  EXPECT_EQ(world.cellChanges()[0].before.size(), 1U);
+  EXPECT_TRUE(world.cellChanges()[0].now.empty());
+}
+
 TEST(UnloadedByHand, ChunksAtTheEndsOfTheWorldGoToo) {
   World world;
   for (const Cell cell : {Cell{kMaxCell, kMaxCell}, Cell{-kMaxCell, -kMaxCell}}) place(world, cell, unitSquare());

@@ -204,5 +204,24 @@ TEST(BeyondMemoryByHand, ARockDugOutAlongTheEdgeKeepsItsAnchors) {
   EXPECT_EQ(window.islands().island(window.at({10, 10}))->anchors, 1U) << "nobody had counted it";
 }
 
+TEST(BeyondMemoryByHand, AChainThatClosesWithOtherIdsWasBeyond) {
+  Window window;
+  window.edit([](World& w) { put(w, {-1, 1}); });
+  window.commit();
+  window.mark();
+  window.edit([](World& w) { put(w, {0, 2}); });  // it touches the other one in a corner
+  window.commit();
+  window.unload(chunkAt(-1, 0));
+  window.commit();
+  window.reload(chunkAt(-1, 0));
+  window.commit();
+  window.unload(chunkAt(0, 0));
+  window.commit();
+  ASSERT_EQ(window.at({-1, 1}), kBeyond);
+  window.goBack(0);  // the ids are those of the mark, and nothing is beyond
+  EXPECT_EQ(window.changes().cutOff, (std::vector{IslandPair{kBeyond, window.at({-1, 1})}}));
+  EXPECT_TRUE(window.changes().added.empty());
+}
+
 }  // namespace
 }  // namespace lgs::test
