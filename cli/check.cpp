@@ -77,12 +77,13 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
                                     command, "--case", [arguments](std::uint64_t n) { arguments->onlyCase = n; }, {},
                                     "Run only the case with this number")
                                     ->option_text("K");
-  CLI::Option* const brushes =
-      command.add_flag("--brushes", arguments->world.brushes,
-                       "Paint and carve among the other edits, and measure each stroke\nagainst CGAL's exact result");
-  CLI::Option* const views = command.add_flag("--views", arguments->options.views,
-                                              "Follow the world with views of loops, islands, pieces and hashes, and\n"
-                                              "compare them with a full recompute after every commit");
+  CLI::Option* const brushes = command.add_flag("--brushes", arguments->world.brushes,
+                                                "Paint and carve in all cases, not in a quarter of them: each\n"
+                                                "stroke is measured against CGAL's exact result");
+  CLI::Option* const views = command.add_flag("--views", arguments->world.isFollowed,
+                                              "Follow all cases, not a quarter of them, with views of loops,\n"
+                                              "islands, pieces and hashes: these are compared with a full\n"
+                                              "recompute after every commit");
   CLI::Option* const map =
       command
           .add_option("--map", arguments->map,
@@ -205,9 +206,8 @@ void addCheck(CLI::App& app, Action& chosen) {
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &chosen] {
     arguments->engine.prepare();
-    if (arguments->options.views && arguments->engine.isGiven())
+    if (arguments->world.isFollowed && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");
-    arguments->world.isFollowed = arguments->options.views;  // which know all chunks
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");

@@ -40,13 +40,14 @@ Status checkRandom(const CheckArguments& arguments);
 Status checkMap(const CheckArguments& arguments);
 
 /// How the command begins that does such a check again, from any folder: "lgs check".
-std::string commandAgain(const CheckArguments& arguments);
+std::string commandAgain(const CheckArguments& arguments, const oracle::GeneratorOptions& world);
 
 /// A trace to check.
 struct Checked {
   oracle::Trace trace;
-  std::string name;       ///< of the files that are written if it fails
-  std::string reproduce;  ///< the command that checks it again
+  std::string name;         ///< of the files that are written if it fails
+  std::string reproduce;    ///< the command that checks it again
+  bool isFollowed = false;  ///< by views
 };
 
 /// How long a mismatch may be shrunk.

@@ -14,4 +14,9 @@ namespace lgs::oracle {
 /// the solid as a whole, with the edges of the solid alone: a seam between two blocks would be far from those (law 10).
 std::optional<std::string> farFromExact(const Scene& before, const BrushEdit& edit, const Scene& after);
 
+/// Law 10: ground of one block from which a region was carved, and which was then filled with the same region. Says
+/// where that has left a seam, farther than two units (one for each stroke) from every edge of the ground of that block.
+/// Nothing, if the region is not all in it. The scenes are as before the first stroke and after the second one.
+std::optional<std::string> seamIn(const Scene& before, const BrushEdit& filled, const Scene& after);
+
 }  // namespace lgs::oracle

@@ -47,6 +47,17 @@ int windingAround(Point p, const std::vector<Ring>& rings) {
   return winding;
 }
 
+// Whether one of its vertices lies inside.
+bool covers(const BrushEdit& brush, const ScenePolygon& polygon) {
+  return std::ranges::any_of(polygon.vertices, [&](LocalPoint v) {
+    const Point p = toWorld(polygon.cell, v);
+    const int winding = windingAround(p, brush.rings);
+    const bool isOnEdge =
+        std::ranges::any_of(brush.rings, [&](const Ring& ring) { return !ring.empty() && meet(ring, {p}); });
+    return !isOnEdge && (brush.isEvenOdd ? winding % 2 != 0 : winding != 0);
+  });
+}
+
 }  // namespace
 
 bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
@@ -63,6 +74,11 @@ std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
     if (part.kind != Call::Kind::remove || std::ranges::find(done.rounded, part.name()) != done.rounded.end()) continue;
     if (!mayMeet(brush, done.removed.at(part.name())))
       return fmt::format("'{}' has changed, but is not reached", part.name());
+  }
+  for (const std::string& name : done.rounded) {
+    const ScenePolygon& polygon = done.removed.at(name);
+    const bool stays = std::ranges::find(brush.staying, polygon.block) != brush.staying.end();
+    if (!stays && covers(brush, polygon)) return fmt::format("'{}' is said to be bent alone, but is reached", name);
   }
   return "";
 }

@@ -13,7 +13,8 @@ namespace lgs::oracle {
 /// well. The polygon must be in a cell of the region's box.
 bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon);
 
-/// Which polygon a brush has changed without reaching it, and without telling that it is bent; empty if there is none.
+/// Which polygon a brush has changed without reaching it, and without telling that it is bent, or tells of that though it
+/// reaches it; empty if there is none.
 std::string wrongReach(const BrushEdit& brush, const Brushed& done);
 
 }  // namespace lgs::oracle

@@ -25,15 +25,23 @@ void Editor::operate() {
   const Operation operation = pickOperation();
   const std::size_t first = trace_.calls.size();
   const Cell cell = pickCell();
-  std::set<Cell> cells;
-  for (std::int32_t k = 0; k < 9; ++k) cells.insert({cell.i + k % 3, cell.j + k / 3});
-  near_ = model_.standing().part(cells);
+  if (!model_.isLoaded(cell) && random_.chance(40)) bringBack(cell);
+  look(cell);
+  const bool goesOnThere = operation == &Editor::stroke || operation == &Editor::remove;
+  if (brushed_.contains(cell) && !goesOnThere && random_.chance(20)) empty(cell);
   (this->*operation)(cell);
   // An operation may come to nothing; a commit of nothing is worth a try now and then.
   const bool isLast = !op_.empty() || first != trace_.calls.size();
   const bool pending = isLast || (!trace_.calls.empty() && trace_.calls.back().kind != Call::Kind::commit);
   if (random_.chance(pending ? habits_.commitPercent : 2)) op_.push_back(Call::commit());
   makeEdits();
+}
+
+// What stands from this cell on, as far as a rectangle reaches.
+void Editor::look(Cell cell) {
+  std::set<Cell> cells;
+  for (std::int32_t k = 0; k < 9; ++k) cells.insert({cell.i + k % 3, cell.j + k / 3});
+  near_ = model_.standing().part(cells);
 }
 
 void Editor::makeEdits() {
@@ -147,6 +155,11 @@ void Editor::restore(Cell cell) {
 }
 
 void Editor::remove(Cell cell) {
+  if (brushed_.contains(cell)) {
+    Call call = Call::of(Call::Kind::remove);
+    call.goes = {{.cell = cell, .nth = random_.below(8U)}};
+    return make(std::move(call));
+  }
   if (!near_.in(cell).empty()) removeNamed(random_.pick(near_.in(cell)).name);
 }
 
@@ -196,6 +209,12 @@ std::vector<Cell> Editor::rectangleAt(Cell cell) {
 }
 
 void Editor::empty(Cell cell) {
+  if (model_.isLoaded(cell) && brushed_.erase(cell) != 0) {
+    Call call = Call::of(Call::Kind::clear);
+    call.cells = {cell, cell};
+    make(std::move(call));
+    while (!near_.in(cell).empty()) near_.remove(std::string(near_.in(cell).back().name));
+  }
   while (!near_.in(cell).empty()) removeNamed(near_.in(cell).back().name);
 }
 

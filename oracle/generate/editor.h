@@ -5,6 +5,7 @@
 #include "oracle/calls/draw.h"
 #include "oracle/calls/random.h"
 #include "oracle/engine/capabilities.h"
+#include "oracle/generate/strokes.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/trace.h"
 
@@ -21,19 +22,20 @@ struct EditHabits {
   std::vector<Cell> cells;                        ///< at least one
   bool wander = false;                            ///< the next cell is near the last one
 
-  int place = 0;      ///< a shape, or some of its polygons
-  int fill = 0;       ///< a shape in each cell of a rectangle
-  int lean = 0;       ///< a triangle on an edge in the cell, or on a part of it
-  int scatter = 0;    ///< a random polygon, on a coarse or a fine grid
-  int restore = 0;    ///< what stood in the cell at the start
-  int remove = 0;     ///< one polygon
-  int clear = 0;      ///< the whole cell, or a rectangle
-  int replace = 0;    ///< takes a polygon away and puts it back
-  int refused = 0;    ///< something that must be refused
-  int any = 0;        ///< any call of the alphabet (oracle/calls/draw.h), good or bad
-  int stroke = 0;     ///< of a brush
-  int travel = 0;     ///< marks, back and forward; groups; copies, saves
-  int memory = 0;     ///< chunks leave memory, and come back; places are forgotten; cells are worn
+  int place = 0;                    ///< a shape, or some of its polygons
+  int fill = 0;                     ///< a shape in each cell of a rectangle
+  int lean = 0;                     ///< a triangle on an edge in the cell, or on a part of it
+  int scatter = 0;                  ///< a random polygon, on a coarse or a fine grid
+  int restore = 0;                  ///< what stood in the cell at the start
+  int remove = 0;                   ///< one polygon
+  int clear = 0;                    ///< the whole cell, or a rectangle
+  int replace = 0;                  ///< takes a polygon away and puts it back
+  int refused = 0;                  ///< something that must be refused
+  int any = 0;                      ///< any call of the alphabet (oracle/calls/draw.h), good or bad
+  int stroke = 0;                   ///< of a brush
+  std::optional<Tight> tight = {};  ///< where all strokes are
+  int travel = 0;                   ///< marks, back and forward; groups; copies, saves
+  int memory = 0;                   ///< chunks leave memory, and come back; places are forgotten; cells are worn
 
   int commitPercent = 100;  ///< chance of a commit after an operation
   bool forms = false;       ///< edits are made by calls of all kinds that come to the same
@@ -85,6 +87,8 @@ class Editor {
   Call anyEdit(Cell cell);
   std::vector<Cell> rectangleAt(Cell cell);
   void empty(Cell cell);
+  void look(Cell cell);
+  void bringBack(Cell cell);
   bool isFit(const Call& add) const;
   bool isAlive(const std::string& name) const;
   bool addIfGood(Cell cell, Block block, LocalPolygon vertices);
@@ -110,6 +114,7 @@ class Editor {
   std::string lastRemoved_;
   Edits op_;                    // edits of the operation
   Standing near_;               // what stands where it edits, as after these
+  std::set<Cell> brushed_;      // where brushes may have changed what stands, which the model does not know
   std::set<std::string> gone_;  // names that they have removed
 };
 

@@ -125,7 +125,13 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.hostilePercent = habits.any > 0 && random.chance(40) ? 10 : 0;
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
     habits.memory = random.chance(35) && !options.isFollowed ? 1 + random.below(5) : 0;
-    habits.stroke = options.brushes ? 4 : 0;
+    habits.stroke = options.brushes ? 10 : 0;
+  }
+  if (options.brushes && random.chance(50)) {
+    const Cell middle{origin.i + width / 2, origin.j + height / 2};
+    habits.tight = tightAt(toWorld(middle, {0, 0}), random);
+    habits.cells = grid({middle.i - 1, middle.j - 1}, 3, 3);
+    std::erase_if(habits.cells, [](Cell cell) { return !inRange(cell); });
   }
   if (isLow) {
     habits.commitPercent = 3;

@@ -8,9 +8,11 @@
 namespace lgs::oracle {
 namespace {
 
+constexpr std::array<std::int64_t, 6> kSteps{1, 5, 37, 977, 8'192, 10'007};
+
 class Painter {
  public:
-  Painter(Cell cell, Random& random) : cell_(cell), random_(random) {}
+  Painter(Cell cell, const std::optional<Tight>& tight, Random& random) : cell_(cell), tight_(tight), random_(random) {}
 
   std::vector<Call> stroke(std::span<const Block> blocks) {
     constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
@@ -18,14 +20,20 @@ class Painter {
     brush.deed = kDeeds[random_.below(kDeeds.size())];
     const Block block = any(blocks);
     if (random_.chance(25)) brush.staying = {any(blocks)};
-    const int kind = random_.below(20);
+    const int kind = tight_ && random_.chance(80) ? 2 : random_.below(20);
     if (kind == 0) brush.deed = BrushEdit::Deed::carve;  // or many cells would be filled
     brush.block = brush.deed == BrushEdit::Deed::carve ? 0 : block;
     if (kind < 9) {
       if (kind == 0) brush.rings = {longest()};
       if (kind == 1) brush.rings = {star()};
-      if (kind > 1) brush.rings = crossing();
-      return {Call::byBrush(std::move(brush))};
+      if (kind > 1) brush.rings = crossing(tight_ ? *tight_ : tightAt(place(), random_));
+      std::vector<Call> calls{Call::byBrush(brush)};
+      if (brush.deed == BrushEdit::Deed::carve && kind != 0 && random_.chance(40)) {
+        brush.deed = BrushEdit::Deed::fill;
+        brush.block = any(blocks);
+        calls.push_back(Call::byBrush(std::move(brush)));
+      }
+      return calls;
     }
     std::vector<Ring> rings = shape().rings;
     brush.isEvenOdd = width_ < kLeastUnited || random_.chance(50);
@@ -92,10 +100,8 @@ class Painter {
   }
 
   /// Rings on a lattice of few points: they cross, touch and overlap.
-  std::vector<Ring> crossing() {
-    constexpr std::array<std::int64_t, 6> kSteps{1, 5, 37, 977, 8'192, 10'007};
-    const std::int64_t step = kSteps[random_.below(kSteps.size())];
-    const Point at = place();
+  std::vector<Ring> crossing(const Tight& lattice) {
+    const auto& [at, step] = lattice;
     std::vector<Ring> rings(1 + random_.below(2U));
     for (Ring& ring : rings)
       for (std::int64_t k = between(3, 7); k > 0; --k)
@@ -106,14 +112,18 @@ class Painter {
   static constexpr std::int64_t kLeastUnited = 256;  // units: a smaller one that is rounded may touch itself
 
   Cell cell_;
+  const std::optional<Tight>& tight_;
   Random& random_;
   std::int64_t width_ = 0;  // of the last shape
 };
 
 }  // namespace
 
-std::vector<Call> strokeAt(Cell cell, std::span<const Block> blocks, Random& random) {
-  return Painter(cell, random).stroke(blocks);
+Tight tightAt(Point centre, Random& random) { return {centre, kSteps[random.below(kSteps.size())]}; }
+
+std::vector<Call> strokeAt(Cell cell, std::span<const Block> blocks, const std::optional<Tight>& tight,
+                           Random& random) {
+  return Painter(cell, tight, random).stroke(blocks);
 }
 
 }  // namespace lgs::oracle

@@ -1,6 +1,6 @@
 // What an editor does that is no plain edit: any call at all, strokes, moves in time and in memory.
 #include "oracle/generate/editor.h"
-#include "oracle/generate/strokes.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <lgs/world.h>
 #include <algorithm>
@@ -17,7 +17,18 @@ Call Editor::anyEdit(Cell cell) {
 void Editor::any(Cell cell) { make(anyEdit({cell.i - 1, cell.j - 1})); }
 
 void Editor::stroke(Cell cell) {
-  for (Call& call : strokeAt(cell, habits_.blocks, random_)) make(std::move(call));
+  for (Call& call : strokeAt(cell, habits_.blocks, habits_.tight, random_)) {
+    const CellRect cells = cellsUnder(call.brush);
+    for (const Cell at : habits_.cells)
+      if (contains(cells, at)) brushed_.insert(at);
+    make(std::move(call));
+  }
+}
+
+void Editor::bringBack(Cell cell) {
+  Call call = Call::of(Call::Kind::reload);
+  call.cells.min = call.cells.max = Model::cellsOfChunk(Model::chunkOf(cell)).min;
+  make(std::move(call));
 }
 
 void Editor::travel(Cell cell) {

@@ -1,6 +1,7 @@
 // What is wrong with the answer to a call.
 #include "oracle/reference/blame.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -37,6 +38,8 @@ std::string wrongOverlap(const Error& error, const Call& call, const World& worl
 std::string wrongPart(const Call& call, const Error& error) {
   if (error.code == ErrorCode::capacity || error.code == ErrorCode::unloaded)
     return error.vertex == -1 ? "" : "names a vertex, which is not to blame";
+  if (call.kind == Kind::brush && error.code == ErrorCode::outOfReach)
+    return std::pair(error.polygon, error.vertex) == vertexInNoCell(call.brush) ? "" : "blames another vertex";
   const bool isOfOne = call.kind == Kind::add || call.kind == Kind::addShape || call.kind == Kind::shape ||
                        call.kind == Kind::replace || call.kind == Kind::fill;
   const bool isSpoilt = isReal(call.notation) && call.offset >= kSpoiltOffset;
@@ -62,6 +65,10 @@ std::string Model::wrongAnswer(const Call& call, const Verdict& verdict, const O
   if (!verdict.code) return "";
   if (error.code != *verdict.code)
     return fmt::format("refused as {} instead of {}", name(error.code), name(*verdict.code));
+  if (call.kind == Kind::brush && verdict.isOpen) {  // one of many cells
+    const bool isUnder = contains(cellsUnder(call.brush), error.cell);
+    return isUnder && isLoaded(error.cell) == (error.code != ErrorCode::unloaded) ? "" : "blames another cell";
+  }
   if (error.cell != verdict.cell)
     return fmt::format("refused in cell {} instead of {}", cellInWords(error.cell), cellInWords(verdict.cell));
   if (message(error).empty()) return "refused without a word";

@@ -4,6 +4,7 @@
 #include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <set>
 
 namespace lgs::oracle {
@@ -16,6 +17,22 @@ std::optional<Verdict> outOfRange(const CellRect& cells) {
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return Verdict{false, ErrorCode::cellOutOfRange, corner};
   return std::nullopt;
+}
+
+// Whether a brush may leave more in a cell than that has room for. Each two edges cross once at most, and the parts
+// between them are no more than the points where edges meet.
+bool mayBeTooMuch(const BrushEdit& brush, const Standing& standing) {
+  std::size_t edges = 0, there = 0;
+  for (const std::vector<Point>& ring : brush.rings) edges += ring.size();
+  const CellRect cells = cellsUnder(brush);
+  for (const auto& [cell, placed] : standing.cells()) {
+    if (!contains(cells, cell)) continue;
+    std::size_t vertices = 0;
+    for (const Standing::Placed& p : placed) vertices += p.vertices.size();
+    there = std::max(there, vertices);
+  }
+  constexpr std::size_t kOfRim = 8;
+  return edges * edges / 2 + edges * there + 3 * edges + there + kOfRim > kMaxPolygonsPerCell;
 }
 
 }  // namespace
@@ -170,9 +187,11 @@ Verdict Model::judgeParts(const Call& call) const {
       const auto away = firstAway({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
       return away ? Verdict{false, ErrorCode::unloaded, *away} : Verdict{};
     }
-    case Kind::brush:  // whether a cell is full can not be known beforehand, nor which cells it reaches
+    case Kind::brush:  // which cells it reaches is not known beforehand, nor whether a cell is full if much comes
       if (isOutOfReach(call.brush)) return {false, ErrorCode::outOfReach};
-      return {.code = firstAway(cellsUnder(call.brush)) ? ErrorCode::unloaded : ErrorCode::capacity, .isOpen = true};
+      if (firstAway(cellsUnder(call.brush))) return {.code = ErrorCode::unloaded, .isOpen = true};
+      if (mayBeTooMuch(call.brush, standing())) return {.code = ErrorCode::capacity, .isOpen = true};
+      return {};
     default:
       return {};
   }

@@ -57,13 +57,20 @@ CellRect cellsUnder(const BrushEdit& brush) {
   return {cellAt(min), cellAt(max)};
 }
 
+std::pair<int, int> vertexInNoCell(const BrushEdit& brush) {
+  constexpr std::int64_t kLeast = -std::int64_t{kMaxCell} * kUnitsPerCell;  // where the first cell begins
+  for (std::size_t r = 0; r < brush.rings.size(); ++r)
+    for (std::size_t v = 0; v < brush.rings[r].size(); ++v)
+      if (const Point p = brush.rings[r][v]; std::min(p.x, p.y) < kLeast || !inRange(p))
+        return {static_cast<int>(r), static_cast<int>(v)};
+  return {-1, -1};
+}
+
 bool isOutOfReach(const BrushEdit& brush) {
   constexpr std::int64_t kMost = kMaxRegionCells * kUnitsPerCell;
-  constexpr std::int64_t kLeast = -std::int64_t{kMaxCell} * kUnitsPerCell;  // where the first cell begins
+  if (vertexInNoCell(brush).first >= 0) return true;
   const auto [min, max] = boxOf(brush);
-  if (min.x > max.x) return false;
-  return std::min(min.x, min.y) < kLeast || !inRange(min) || !inRange(max) || max.x - min.x > kMost ||
-         max.y - min.y > kMost;
+  return min.x <= max.x && (max.x - min.x > kMost || max.y - min.y > kMost);
 }
 
 std::vector<std::vector<Call>> editsBy(const Trace& trace) {

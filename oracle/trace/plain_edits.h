@@ -3,12 +3,16 @@
 
 #include "oracle/trace/trace.h"
 
+#include <utility>
 #include <vector>
 
 namespace lgs::oracle {
 
 /// The cells that a region may reach: those of its box.
 CellRect cellsUnder(const BrushEdit& brush);
+
+/// The ring and the vertex in it that lies in no cell, the first one; -1 and -1 if all lie in one.
+std::pair<int, int> vertexInNoCell(const BrushEdit& brush);
 
 /// Whether a region is refused: a vertex lies in no cell, or it is too wide or high.
 bool isOutOfReach(const BrushEdit& brush);

@@ -33,7 +33,7 @@ Player::Done Player::make(const Judged& judged) {
   if (judged.verdict.isOfName)
     done = tl::unexpected(TraceError{0, badName(judged.call), {}});
   else
-    done = judged.call.kind == Kind::brush ? brush(judged.call) : makeCall(judged);
+    done = judged.call.kind == Kind::brush ? brush(judged) : makeCall(judged);
   if (!done) done.error().line = judged.call.line;
   return done;
 }
@@ -213,8 +213,11 @@ tl::unexpected<TraceError> Player::refused(const Error& error) const {
   return tl::unexpected(std::move(refusal));
 }
 
-Player::Done Player::brush(const Call& call) {
+Player::Done Player::brush(const Judged& judged) {
+  const auto& [call, verdict] = judged;
   auto told = std::make_shared<Told>(Told{call, caller_.makeResolved(call)});
+  if (std::string text = model_.wrongAnswer(call, verdict, told->outcome, world()); !text.empty())
+    return wrong(fmt::format("{}: {}", text, printCall(call)));
   now_.past.push_back(told);
   model_.tried();
   moments_.happened(Redo::maybe);

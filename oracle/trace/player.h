@@ -80,7 +80,7 @@ class Player {
 
   Done makeGroup(const Call& call);
   Done makeCall(const Judged& judged);
-  Done brush(const Call& call);
+  Done brush(const Judged& judged);
   Done readBack(const Call& call, const BrushResult& result);
   Done checkShapes(const Call& call, const Outcome& outcome);
   void keepMoment(const Call& call);

@@ -106,7 +106,7 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         built = Finished(arguments.built)
         programs = {name for name in {bug.group.program for bug in chosen} - {"lgs_cost_tests"} if built.has(name)}
         chosen = [bug for bug in chosen if bug.file.startswith("lib/") and "/include/" not in bug.file
-                  and bug.group.program in programs]  # what many objects see takes too long
+                  and (arguments.score or bug.group.program in programs)]  # what many objects see takes too long
     if arguments.fuzz == "own":
         chosen = [bug for bug in chosen if bug.fuzz]
     if arguments.changed:
