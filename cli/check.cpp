@@ -80,7 +80,7 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
   CLI::Option* const brushes = command.add_flag("--brushes", arguments->world.brushes,
                                                 "Paint and carve in all cases, not in a quarter of them: each\n"
                                                 "stroke is measured against CGAL's exact result");
-  CLI::Option* const views = command.add_flag("--views", arguments->world.isFollowed,
+  CLI::Option* const views = command.add_flag("--views", arguments->options.views,
                                               "Follow all cases, not a quarter of them, with views of loops,\n"
                                               "islands, pieces and hashes: these are compared with a full\n"
                                               "recompute after every commit");
@@ -206,7 +206,7 @@ void addCheck(CLI::App& app, Action& chosen) {
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &chosen] {
     arguments->engine.prepare();
-    if (arguments->world.isFollowed && arguments->engine.isGiven())
+    if (arguments->options.views && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");

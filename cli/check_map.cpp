@@ -65,9 +65,9 @@ Status checkMap(const CheckArguments& arguments) {
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.map, why));
   Checked digging{digIn(start, arguments.edits, arguments.seed, can, !arguments.engine.isGiven()),
                   fmt::format("mismatch-map-{}", arguments.seed),
-                  fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}",
-                              commandAgain(arguments, arguments.world), shellPath(arguments.map), arguments.edits,
-                              arguments.seed, arguments.oracleName(), arguments.options.wholeEvery)};
+                  fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}", commandAgain(arguments),
+                              shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
+                              arguments.options.wholeEvery)};
   return isolated(
       arguments, arguments.options, [&] { return dig(arguments, start, digging); }, [&] { return digging; });
 }

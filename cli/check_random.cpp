@@ -29,18 +29,18 @@ GeneratorOptions worldOf(const CheckArguments& arguments, const Case& at) {
   GeneratorOptions world = arguments.world;
   world.edits = at.edits;
   world.brushes |= world.isOfCalls && at.number % 4 == 1;
-  world.isFollowed |= world.isOfCalls && at.number % 4 == 2;
   return world;
 }
 
 Checked caseOf(const CheckArguments& arguments, const Case& at) {
   const GeneratorOptions world = worldOf(arguments, at);
-  return {
-      caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
-      fmt::format("mismatch-{}-{}", arguments.seed, at.number),
-      fmt::format("{} --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", commandAgain(arguments, world),
-                  world.width, world.height, world.edits, arguments.seed, at.number, arguments.oracleName()),
-      world.isFollowed};
+  const bool areFollowed = arguments.options.views || (world.isOfCalls && at.number % 4 == 2);
+  return {caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
+          fmt::format("mismatch-{}-{}", arguments.seed, at.number),
+          fmt::format("{} --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}",
+                      commandAgain(arguments, world.brushes, areFollowed), world.width, world.height, world.edits,
+                      arguments.seed, at.number, arguments.oracleName()),
+          areFollowed};
 }
 
 // A report has what went wrong at the end, too.
@@ -74,7 +74,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
           std::min<std::size_t>(editsOf(at.number, arguments.world), arguments.edits - totals.stats.edits - lost);
     stillAlive();
     const Checked checked = caseOf(arguments, at);
-    options.views = checked.isFollowed;
+    options.views = checked.areFollowed;
     Features features{};
     std::size_t commits = 0;
     options.afterCommit = [&](const Model& standing) {

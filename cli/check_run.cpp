@@ -44,7 +44,7 @@ std::chrono::milliseconds shrinkTime(const CheckArguments& arguments) {
 ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
   return {arguments.out,         checked.name,       checked.reproduce,
           shrinkTime(arguments), thisProgram("lgs"), arguments.engine.print(),
-          checked.isFollowed};
+          checked.areFollowed};
 }
 
 CheckOptions caseOptions(const CheckArguments& arguments) {
@@ -56,10 +56,10 @@ CheckOptions caseOptions(const CheckArguments& arguments) {
 
 Survey surveyFor(const CheckArguments& arguments) {
   const std::string which = arguments.onlyCase ? fmt::format(" --case {}", *arguments.onlyCase) : "";
-  const std::string again = fmt::format(
-      "{} --cells {}x{} --case-edits {} --edits {} --seed {}{} --oracle {} --report {}",
-      commandAgain(arguments, arguments.world), arguments.world.width, arguments.world.height, arguments.world.edits,
-      arguments.edits, arguments.seed, which, arguments.oracleName(), shellPath(arguments.report));
+  const std::string again =
+      fmt::format("{} --cells {}x{} --case-edits {} --edits {} --seed {}{} --oracle {} --report {}",
+                  commandAgain(arguments), arguments.world.width, arguments.world.height, arguments.world.edits,
+                  arguments.edits, arguments.seed, which, arguments.oracleName(), shellPath(arguments.report));
   return {caseOptions(arguments), arguments.report, again, shrinkTime(arguments)};
 }
 
@@ -71,10 +71,10 @@ Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const
 }
 
 // The command of an engine may mean files of this folder.
-std::string commandAgain(const CheckArguments& arguments, const GeneratorOptions& world) {
+std::string commandAgain(const CheckArguments& arguments, bool brushes, bool views) {
   std::string lgs = thisProgram("lgs") + " check";
-  if (world.brushes) lgs += " --brushes";
-  if (world.isFollowed) lgs += " --views";
+  if (brushes) lgs += " --brushes";
+  if (views) lgs += " --views";
   if (!arguments.engine.isGiven()) return lgs;
   return fmt::format("cd {} && {}{}", thisFolder(), lgs, arguments.engine.print());
 }
@@ -87,7 +87,7 @@ Status isolated(const CheckArguments& arguments, const CheckOptions& options, co
   if (!crash) return *status;
   const Checked checked = playing();
   CheckOptions again = options;
-  again.views = checked.isFollowed;
+  again.views = checked.areFollowed;
   reportCrash(*crash, checked.trace, again, reportOptions(arguments, checked));
   return Status::mismatch;
 }

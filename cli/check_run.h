@@ -40,14 +40,14 @@ Status checkRandom(const CheckArguments& arguments);
 Status checkMap(const CheckArguments& arguments);
 
 /// How the command begins that does such a check again, from any folder: "lgs check".
-std::string commandAgain(const CheckArguments& arguments, const oracle::GeneratorOptions& world);
+std::string commandAgain(const CheckArguments& arguments, bool brushes = false, bool views = false);
 
 /// A trace to check.
 struct Checked {
   oracle::Trace trace;
-  std::string name;         ///< of the files that are written if it fails
-  std::string reproduce;    ///< the command that checks it again
-  bool isFollowed = false;  ///< by views
+  std::string name;          ///< of the files that are written if it fails
+  std::string reproduce;     ///< the command that checks it again
+  bool areFollowed = false;  ///< its edits, by views
 };
 
 /// How long a mismatch may be shrunk.

@@ -28,7 +28,7 @@ Trace mostlyGood(Bytes input) { return oracle::caseOf(input, {.edits = kMost, .i
 
 namespace {
 // Views do not know what is not in memory.
-Trace inMemory(Bytes input) { return oracle::caseOf(input, {.edits = kMost, .isOfCalls = true, .isFollowed = true}); }
+Trace inMemory(Bytes input) { return oracle::caseOf(input, {.edits = kMost, .isOfCalls = true, .inMemory = true}); }
 }  // namespace
 
 std::optional<Finding> checkEdits(const Trace& trace, oracle::CheckOptions options, oracle::CheckStats& stats) {

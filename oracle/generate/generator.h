@@ -25,7 +25,7 @@ struct GeneratorOptions {
   bool crowds = true;       ///< the limits of a cell are this library's: other engines need not know them
   bool isOfCalls = false;   ///< all calls of this library's; else adds, removes and commits alone, by name
   bool brushes = false;     ///< among the other calls
-  bool isFollowed = false;  ///< by views, which know all chunks: these stay in memory
+  bool inMemory = false;  ///< chunks stay there
   bool bad = false;         ///< most of the edits must be refused
 };
 

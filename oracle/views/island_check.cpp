@@ -156,11 +156,23 @@ std::string wrongLists(IslandChanges expected, const IslandChanges& changes) {
   for (auto* ids : {&expected.added, &expected.removed, &expected.changed}) std::ranges::sort(*ids);
   for (auto* pairs : {&expected.cutOff, &expected.joined}) std::ranges::sort(*pairs);
   std::ranges::sort(expected.before, {}, &IslandFacts::id);
-  if (changes.added != expected.added) return "another list of islands that came";
-  if (changes.removed != expected.removed) return "another list of islands that went";
-  if (changes.changed != expected.changed) return "another list of islands that changed";
-  if (changes.cutOff != expected.cutOff) return "another list of islands that were cut off";
-  if (changes.joined != expected.joined) return "another list of islands that joined";
+  const auto words = [](const auto& list) {
+    std::string text;
+    for (const auto& entry : list) {
+      if constexpr (std::is_same_v<decltype(entry), const IslandId&>) text += fmt::format(" {}", entry.value);
+      if constexpr (std::is_same_v<decltype(entry), const IslandPair&>)
+        text += fmt::format(" {}/{}", entry.from.value, entry.into.value);
+    }
+    return text.empty() ? " none" : text;
+  };
+  const auto differs = [&](const char* what, const auto& is, const auto& must) {
+    return fmt::format("another list of islands that {}:{}, and not{}", what, words(is), words(must));
+  };
+  if (changes.added != expected.added) return differs("came", changes.added, expected.added);
+  if (changes.removed != expected.removed) return differs("went", changes.removed, expected.removed);
+  if (changes.changed != expected.changed) return differs("changed", changes.changed, expected.changed);
+  if (changes.cutOff != expected.cutOff) return differs("were cut off", changes.cutOff, expected.cutOff);
+  if (changes.joined != expected.joined) return differs("joined", changes.joined, expected.joined);
   if (changes.before != expected.before) return "the islands were something else before";
   return {};
 }

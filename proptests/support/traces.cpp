@@ -60,7 +60,7 @@ Trace randomTrace(int size, Random random, oracle::GeneratorOptions options) {
 
 Trace anyTrace(int size, Random random) { return randomTrace(size, random, {.isOfCalls = true}); }
 Trace traceInMemory(int size, Random random) {
-  return randomTrace(size, random, {.isOfCalls = true, .isFollowed = true});
+  return randomTrace(size, random, {.isOfCalls = true, .inMemory = true});
 }
 Trace goodTrace(int size, Random random) { return withoutRefused(randomTrace(size, random, {})); }
 

@@ -24,13 +24,16 @@ void expect(bool done) {
 }  // namespace
 
 BareWorld::BareWorld(const World& world) {
-  for (const CellRect& chunk : unloadedChunks(world)) {
-    const auto square = world_.shape(kUnitSquare);
-    expect(square && world_.fill(chunk, *square, 0) && world_.unload(chunk, {}));
-  }
+  for (const CellRect& chunk : unloadedChunks(world)) fillUnknown(chunk);
   world.forEachPolygon(
       [this](Cell cell, const PlacedPolygon& p) { expect(world_.add(cell, p.vertices, p.block).has_value()); });
   world_.commit();
+}
+
+void BareWorld::fillUnknown(const CellRect& chunk) {
+  if (!unknown_.insert(chunk.min).second) return;
+  const auto square = world_.shape(kUnitSquare);
+  expect(square && world_.reloadEmpty(chunk) && world_.fill(chunk, *square, 0) && world_.unload(chunk, {}));
 }
 
 const Changes& BareWorld::follow(const World& world) {
@@ -42,6 +45,7 @@ const Changes& BareWorld::follow(const World& world) {
       continue;
     }
     expect(world_.reloadEmpty(chunk).has_value());
+    unknown_.erase(chunk.min);
     world_.polygons(change.cell, held_);
     gone_.clear();
     come_.clear();
@@ -52,6 +56,8 @@ const Changes& BareWorld::follow(const World& world) {
     expect(world_.exchange(change.cell, gone_, come_).has_value());
   }
   for (const CellRect& chunk : left) expect(world_.unload(chunk, {}).has_value());
+  if (world.changesOfRollBack().after == world.version())
+    for (const CellRect& chunk : unloadedChunks(world)) fillUnknown(chunk);
   return world_.commit();
 }
 

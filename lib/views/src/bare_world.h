@@ -1,9 +1,11 @@
-// The ground of a world with a preserve relation once more, in a world without one. The same chunks are unloaded: of those
-// that were before it began nobody sees what they hold, so they count as solid.
+// The ground of a world with a preserve relation once more, in a world without one. The same chunks are unloaded. What
+// those hold that were unloaded before it began is not known here, nor what a roll-back made of unloaded ground: they
+// count as solid.
 #pragma once
 
 #include <lgs/world.h>
 
+#include <set>
 #include <vector>
 
 namespace lgs::detail {
@@ -19,7 +21,10 @@ class BareWorld {
   const World& world() const { return world_; }
 
  private:
+  void fillUnknown(const CellRect& chunk);
+
   World world_;
+  std::set<Cell> unknown_;  // lower-left cells of unloaded chunks that count as solid
   std::vector<PlacedPolygon> held_;  // working memory
   std::vector<PolygonHandle> gone_;
   std::vector<NewPolygon> come_;

@@ -63,6 +63,15 @@ void IslandView::update(const World& world, const Loops& loops) {
   nameAll(world, loops, kin.root(kin.beyond()));
   for (const CellRect& chunk : left_) away_.insert(chunk.min);
   for (const CellRect& chunk : back_) away_.erase(chunk.min);
+  dropForgotten(world);
+}
+
+/// Of chunks that were forgotten nobody tells. They are looked for when there may be as many as others.
+void IslandView::dropForgotten(const World& world) {
+  constexpr std::size_t kFew = 64;
+  if (away_.size() < kFew + 2 * kept_) return;
+  std::erase_if(away_, [&](Cell corner) { return !isUnloaded(world, corner); });
+  kept_ = away_.size();
 }
 
 void IslandView::readCells(const World& world) {

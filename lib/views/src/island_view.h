@@ -74,6 +74,7 @@ class IslandView {
   bool isOpen(LoopId outer) const { return open_.contains(outer); }
   bool isAnchor(const PlacedPolygon& p, Cell cell) const { return isAnchor_ && isAnchor_(p.block, cell); }
   void collect(const World& world, const Loops& loops, std::span<const LoopId> outers, Kin& kin);
+  void dropForgotten(const World& world);
   void nameAll(const World& world, const Loops& loops, Kin::Node beyond);
   const Old* oldOf(LoopId outer) const;
   void nameKin(std::span<const Old> olds, std::span<New> news, bool isBeyond);
@@ -92,7 +93,8 @@ class IslandView {
   std::vector<IslandId> ended_;                           ///< by the last update: free with the next one
   IslandChanges changes_;
   Walk walk_;
-  std::set<Cell> away_;    ///< unloaded chunks that are known, by their lower-left cells
+  std::set<Cell> away_;    ///< unloaded chunks that are known, by their lower-left cells; some may be forgotten
+  std::size_t kept_ = 0;   ///< how many there were when those were dropped
   std::set<LoopId> wide_;  ///< outer loops that a chunk may lie in
   std::set<LoopId> open_;  ///< those of them whose islands reach an unloaded chunk
   // Working memory of an update.

@@ -1,9 +1,12 @@
-// Law 15: views of loops, islands, pieces and hashes that follow the world are their full recompute, until a chunk leaves
-// memory: the recompute knows what is there alone.
+// Law 15: views of loops, islands, pieces and hashes that follow the world are their full recompute. Where chunks leave
+// memory islands are held against the ground with what is unloaded.
 #include "oracle/check/laws/list.h"
+#include "oracle/views/beyond_check.h"
 #include "oracle/views/ground_hashes.h"
 #include "oracle/views/island_check.h"
 #include "oracle/views/piece_check.h"
+
+#include <algorithm>
 
 namespace lgs::oracle {
 namespace {
@@ -13,12 +16,19 @@ bool isAnchor(Block block, Cell cell) { return block % 3 == 1 || (std::int64_t{c
 
 class ViewsLaw : public Law {
  public:
-  void begin(Seen& seen) override { isAsked_ = seen.options.views && begins(seen); }
+  void begin(Seen& seen) override {
+    streams_ = std::ranges::any_of(seen.trace.calls, [](const Call& call) { return isOfMemory(call.kind); });
+    isAsked_ = seen.options.views && begins(seen);
+  }
+
+  void before(Seen& seen, const Judged& judged) override {
+    const bool turns = isOfMemory(judged.call.kind) && seen.isPending();
+    if (turns && !seen.trace.preserve.empty()) views_.reset();  // they ask for a commit
+  }
 
   Found after(Seen& seen, const Judged& judged, bool isRefused) override {
     using enum Call::Kind;
     const Call::Kind kind = judged.call.kind;
-    isAsked_ = isAsked_ && !seen.wasAway;
     if (!isAsked_ || isRefused) return std::nullopt;
     if (kind == load || kind == Call::Kind::follow) {  // a world that was loaded follows nothing
       views_.reset();
@@ -28,31 +38,45 @@ class ViewsLaw : public Law {
   }
 
   Found afterTravel(Seen& seen) override {
-    if (seen.isPending()) views_.reset();  // what follows from the outline of then is not that of the polygons
+    const bool hasSquares = !seen.trace.preserve.empty() && !seen.model().isWhole();
+    if (seen.isPending() || hasSquares) views_.reset();  // what follows from the outline of then is not the polygons'
     return isAsked_ && views_ ? look(seen) : std::nullopt;
   }
 
   Found afterCommit(Seen& seen) override {
     if (!isAsked_) return std::nullopt;
     if (views_) return look(seen);
+    if (!seen.trace.preserve.empty() && !seen.model().isWhole())
+      return std::nullopt;  // then they count squares as solid
     const World& world = seen.world();
-    views_.emplace(
-        Followed{Islands(world, isAnchor), IslandCheck(isAnchor), Pieces(world), PieceCheck(), GroundHashes(world)});
-    auto wrong = views_->islandCheck.begin(world, views_->islands);
+    views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor), Pieces(world),
+                            PieceCheck(), GroundHashes(world)});
+    const Islands& islands = views_->islands;
+    auto wrong = streams_ ? said(views_->beyondCheck.begin(world, ground(seen), islands))
+                          : views_->islandCheck.begin(world, islands);
     if (!wrong) wrong = views_->pieceCheck.begin(world, views_->pieces);
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
   }
 
  private:
+  using Wrong = std::optional<std::string>;
+  static Wrong said(std::string wrong) { return wrong.empty() ? Wrong() : Wrong(std::move(wrong)); }
+
+  static WholeGround ground(const Seen& seen) {
+    WholeGround all{seen.scene().polygons, {}};
+    for (const Cell chunk : seen.model().chunksAway()) all.away.insert(Model::cellsOfChunk(chunk).min);
+    return all;
+  }
+
   static bool begins(Seen& seen) { return seen.world().followCells(true).has_value(); }
 
   Found look(Seen& seen) {
     const World& world = seen.world();
-    auto& [islands, islandCheck, pieces, pieceCheck, hashes] = *views_;
+    auto& [islands, islandCheck, beyondCheck, pieces, pieceCheck, hashes] = *views_;
     if (!islands.update(world, seen.library->changes()))
       return seen.mismatch(Mismatch::Kind::views, "the views refuse what was committed");
     hashes.update(world.cellChanges());
-    auto wrong = islandCheck.update(world, islands);
+    auto wrong = streams_ ? said(beyondCheck.update(world, ground(seen), islands)) : islandCheck.update(world, islands);
     if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.update(world.cellChanges()));
     if (!wrong) wrong = faultOf(hashes, world);
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
@@ -61,10 +85,12 @@ class ViewsLaw : public Law {
   struct Followed {
     Islands islands;
     IslandCheck islandCheck;
+    BeyondCheck beyondCheck;
     Pieces pieces;
     PieceCheck pieceCheck;
     GroundHashes hashes;
   };
+  bool streams_ = false;  // chunks may leave memory
   bool isAsked_ = false;
   std::optional<Followed> views_;
 };

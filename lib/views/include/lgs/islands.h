@@ -19,7 +19,7 @@
 //
 // The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
 // threads and memory holds here. Under a preserve relation commit before you unload; and chunks that are unloaded when
-// the view begins count as solid, so that what touches their squares is beyond.
+// the view begins, or at a roll-back, count as solid, so that what touches their squares is beyond.
 #pragma once
 
 #include <lgs/body.h>
@@ -72,7 +72,7 @@ struct IslandPair {
 ///
 /// kBeyond is there before and after, and is larger than all others. Its kin is also what was or is in a chunk that was
 /// or is unloaded; and what was taken away and touched the square of such a chunk. (One that holds nothing may count or
-/// not.)
+/// not; so may one that was forgotten, until ground comes there.)
 struct IslandChanges {
   std::vector<IslandId> added;    ///< new ids of islands without kin before
   std::vector<IslandId> removed;  ///< ids that are no more, of islands without kin now

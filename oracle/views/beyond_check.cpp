@@ -1,17 +1,17 @@
-#include "beyond_check.h"
+#include "oracle/views/beyond_check.h"
 
 #include "oracle/views/island_check.h"
+#include "oracle/views/touching.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
-namespace lgs::test {
+namespace lgs::oracle {
 namespace {
-
-using oracle::ScenePolygon;
 
 Cell chunkOf(Cell cell) { return {cell.i & ~31, cell.j & ~31}; }
 
@@ -34,30 +34,54 @@ bool isLarger(const IslandFacts& a, const IslandFacts& b) {
 
 }  // namespace
 
-std::string BeyondCheck::begin(const World& part, const World& whole, const Islands& islands) {
+std::string BeyondCheck::begin(const World& part, const WholeGround& whole, const Islands& islands) {
   before_ = {};
   return read(part, whole, islands, before_);
 }
 
-std::string BeyondCheck::update(const World& part, const World& whole, const Islands& islands) {
+std::string BeyondCheck::update(const World& part, const WholeGround& whole, const Islands& islands) {
   Moment now;
   if (std::string wrong = read(part, whole, islands, now); !wrong.empty()) return wrong;
-  std::string wrong = compare(islands, now, false);
-  if (!wrong.empty() && compare(islands, now, true).empty()) wrong.clear();
+  std::set<Cell> gone = before_.empty;  // forgotten, maybe: until ground comes there nobody is told
+  gone.insert(before_.away.begin(), before_.away.end());
+  for (const ScenePolygon& p : now.polygons) gone.erase(chunkOf(p.cell));
+  now.empty.insert(gone.begin(), gone.end());
+  std::string wrong = compare(islands, now, {});
+  const std::vector<Cell> open = mayCount(now);
+  for (std::size_t choice = 1; !wrong.empty() && choice < std::size_t{1} << open.size(); ++choice) {
+    std::set<Cell> counting;
+    for (std::size_t k = 0; k < open.size(); ++k)
+      if ((choice >> k & 1) != 0) counting.insert(open[k]);
+    if (compare(islands, now, counting).empty()) wrong.clear();
+  }
   before_ = std::move(now);
   return wrong;
 }
 
+/// Of the chunks that may count as beyond or not, those that have ground near, as far as all choices can be tried.
+std::vector<Cell> BeyondCheck::mayCount(const Moment& now) const {
+  constexpr std::size_t kMost = 6;
+  std::set<Cell> open = before_.empty;
+  open.insert(now.empty.begin(), now.empty.end());
+  std::set<Cell> near;
+  for (const Moment* moment : {&before_, &now})
+    for (const ScenePolygon& p : moment->polygons)
+      for (const std::int32_t j : {-1, 0, 1})
+        for (const std::int32_t i : {-1, 0, 1}) near.insert(chunkOf({p.cell.i + i, p.cell.j + j}));
+  std::vector<Cell> out;
+  std::ranges::set_intersection(open, near, std::back_inserter(out));
+  out.resize(std::min(out.size(), kMost));
+  return out;
+}
+
 /// Each island of the view is one set of polygons that hang together, and what is beyond is another one.
-std::string BeyondCheck::read(const World& part, const World& whole, const Islands& islands, Moment& out) const {
-  whole.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    out.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
-    if (part.firstUnloaded({cell, cell})) out.away.insert(chunkOf(cell));
-  });
-  for (const Cell corner : {Cell{-32, -32}, {0, -32}, {-32, 0}, {0, 0}})
-    if (part.firstUnloaded({corner, corner}) && !out.away.contains(corner)) out.empty.insert(corner);
+std::string BeyondCheck::read(const World& part, const WholeGround& whole, const Islands& islands, Moment& out) const {
+  out.polygons = whole.polygons;
+  for (const ScenePolygon& p : out.polygons)
+    if (const Cell chunk = chunkOf(p.cell); whole.away.contains(chunk)) out.away.insert(chunk);
+  std::ranges::set_difference(whole.away, out.away, std::inserter(out.empty, out.empty.end()));
   const auto isAway = [&](std::size_t k) { return out.away.contains(chunkOf(out.polygons[k].cell)); };
-  std::vector<std::size_t> set = oracle::setsOf(out.polygons);
+  std::vector<std::size_t> set = setsOf(out.polygons);
   const std::ptrdiff_t beyond = unite(set, isAway);
   std::map<std::size_t, IslandId> idOf;
   std::map<IslandId, IslandFacts> expected;
@@ -103,13 +127,10 @@ std::string BeyondCheck::read(const World& part, const World& whole, const Islan
   return {};
 }
 
-std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, bool withEmpty) const {
+std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, const std::set<Cell>& counting) const {
   std::set<Cell> away = before_.away;
   away.insert(now.away.begin(), now.away.end());
-  if (withEmpty) {
-    away.insert(before_.empty.begin(), before_.empty.end());
-    away.insert(now.empty.begin(), now.empty.end());
-  }
+  away.insert(counting.begin(), counting.end());
   std::vector<ScenePolygon> all = before_.polygons;
   all.insert(all.end(), now.polygons.begin(), now.polygons.end());
   const std::size_t olds = before_.polygons.size();
@@ -122,12 +143,12 @@ std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, bool withEmp
     for (const std::int32_t j : {-1, 0, 1}) {
       for (const std::int32_t i : {-1, 0, 1}) {
         const ScenePolygon square{{p.cell.i + i, p.cell.j + j}, 0, {kUnitSquare.begin(), kUnitSquare.end()}};
-        if (away.contains(chunkOf(square.cell)) && oracle::haveCommonPoint(p, square)) return true;
+        if (away.contains(chunkOf(square.cell)) && haveCommonPoint(p, square)) return true;
       }
     }
     return false;
   };
-  std::vector<std::size_t> set = oracle::setsOf(all);
+  std::vector<std::size_t> set = setsOf(all);
   const std::ptrdiff_t beyond =
       unite(set, [&](std::size_t k) { return away.contains(chunkOf(all[k].cell)) || (k < olds && isBeside(all[k])); });
   std::map<std::size_t, Kin> sets;
@@ -142,9 +163,9 @@ std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, bool withEmp
   return out;
 }
 
-std::string BeyondCheck::compare(const Islands& islands, const Moment& now, bool withEmpty) const {
+std::string BeyondCheck::compare(const Islands& islands, const Moment& now, const std::set<Cell>& counting) const {
   IslandChanges expected;
-  for (const Kin& kin : kinOf(now, withEmpty)) {
+  for (const Kin& kin : kinOf(now, counting)) {
     const auto largest = [](const std::set<IslandId>& ids, const Moment& moment) {
       return *std::ranges::min_element(
           ids, [&](IslandId a, IslandId b) { return isLarger(moment.known.at(a), moment.known.at(b)); });
@@ -184,7 +205,7 @@ std::string BeyondCheck::compare(const Islands& islands, const Moment& now, bool
         expected.removed.push_back(id);
     }
   }
-  return oracle::wrongLists(std::move(expected), islands.changes());
+  return wrongLists(std::move(expected), islands.changes());
 }
 
-}  // namespace lgs::test
+}  // namespace lgs::oracle
