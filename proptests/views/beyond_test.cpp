@@ -170,13 +170,13 @@ TEST(BeyondMemoryByHand, UnderAPreserveRelationARollBackMakesUnloadedGroundUnkno
   Shelf shelf;
   must(world.unload(chunkAt(1, 0), shelf.sink()));
   follow(world.commit());
-  EXPECT_EQ(islands.loose().size(), 1U);
+  EXPECT_EQ(islands.all().size(), 1U);
   ASSERT_TRUE(world.rollBack(mark));
   follow(world.changesOfRollBack());
-  EXPECT_TRUE(islands.loose().empty()) << "what it hangs on is there again";
+  EXPECT_TRUE(islands.all().empty()) << "what it hangs on is there again";
   EXPECT_TRUE(shelf.reload(world, {32, 0}));
   follow(world.commit());
-  EXPECT_EQ(islands.loose().size(), 1U);
+  EXPECT_EQ(islands.all().size(), 1U);
 }
 
 TEST(BeyondMemoryByHand, AChainThatClosesWithOtherIdsWasBeyond) {
