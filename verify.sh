@@ -22,7 +22,7 @@ show import "1. A Tiled map becomes a world" \
 show dig "2. It is dug and refilled; each commit is checked against CGAL, each tenth over the whole map" \
   "$lgs" check --map "$out/map.trace" --edits 4000 --whole-every 10 --svg "$out/dug.svg" --out "$out"
 show worlds "3. Random degenerate worlds; each commit is checked as a whole against CGAL and the naive reference" \
-  "$lgs" check --oracle both --edits 30000 --out "$out"
+  "$lgs" check --oracle both --edits 20000 --out "$out"
 show bench "4. Incremental against full recompute" \
   "$lgs" bench --rounds 3
 

@@ -84,25 +84,29 @@ void Editor::travel(Cell cell) {
       time(goBack, nth, true);
       if (random_.chance(30)) time(goBack, random_.below(8U), true);
       if (random_.chance(30)) someEdits(1);
+      if (habits_.memory > 0 && random_.chance(40)) turn(random_.chance(50) ? unload : reload, cell);
+      if (random_.chance(30)) time(commit);
       time(goForward, random_.below(2U));
       return random_.chance(50) ? time(commit) : void();
   }
 }
 
+// Chunks come or go, around a cell.
+void Editor::turn(Call::Kind kind, Cell cell) {
+  Call call = Call::of(kind);
+  if (kind == Call::Kind::reload) cell = random_.pick(habits_.cells);
+  const std::int32_t wide = 32 * random_.below(2), high = 32 * random_.below(2);
+  const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+  call.cells = {{inside(cell.i & ~31), inside(cell.j & ~31)},
+                {inside((cell.i & ~31) + 31 + wide), inside((cell.j & ~31) + 31 + high)}};
+  if (random_.chance(20)) call.cells.min = {inside(call.cells.min.i - 64), inside(call.cells.min.j - 64)};
+  if (random_.chance(5)) ++call.cells.min.i;  // not all of them
+  call.nth = random_.below(2U);
+  make(tidied(std::move(call)));
+}
+
 void Editor::remember(Cell cell) {
   using enum Call::Kind;
-  const auto chunks = [&](Call::Kind kind) {
-    Call call = Call::of(kind);
-    if (kind == reload) cell = random_.pick(habits_.cells);
-    const std::int32_t wide = 32 * random_.below(2), high = 32 * random_.below(2);
-    const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
-    call.cells = {{inside(cell.i & ~31), inside(cell.j & ~31)},
-                  {inside((cell.i & ~31) + 31 + wide), inside((cell.j & ~31) + 31 + high)}};
-    if (random_.chance(20)) call.cells.min = {inside(call.cells.min.i - 64), inside(call.cells.min.j - 64)};
-    if (random_.chance(5)) ++call.cells.min.i;  // not all of them
-    call.nth = random_.below(2U);
-    make(tidied(std::move(call)));
-  };
   const auto commits = [&] {
     if (random_.chance(60)) make(Call::commit());
   };
@@ -113,16 +117,16 @@ void Editor::remember(Cell cell) {
     case 0:
     case 1:
     case 2:
-      return chunks(unload);
+      return turn(unload, cell);
     case 3:
     case 4:
-      return chunks(reload);
+      return turn(reload, cell);
     case 5:
-      return chunks(reloadEmpty);
+      return turn(reloadEmpty, cell);
     case 6:
       forgetMarks();
       commits();
-      return chunks(leave);
+      return turn(leave, cell);
     case 7: {  // all of it sleeps, and some of it wakes
       forgetMarks();
       Call all = Call::of(unload);
@@ -131,8 +135,8 @@ void Editor::remember(Cell cell) {
                    {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
       make(all);
       make(Call::commit());
-      if (random_.chance(80)) chunks(reload);
-      return random_.chance(50) ? chunks(reload) : void();
+      if (random_.chance(80)) turn(reload, cell);
+      return random_.chance(50) ? turn(reload, cell) : void();
     }
     case 8: {  // so much comes and goes that a cell needs a list
       Call call = Call::of(repeat), square = Call::of(addShape), gone = Call::of(clear);
@@ -152,16 +156,16 @@ void Editor::remember(Cell cell) {
         many.comes[0].shape.push_back({{x, y}, {x + kSide, y}, {x + kSide, y + kSide}, {x, y + kSide}});
       }
       if (near_.in(cell).empty()) make(std::move(many));
-      chunks(unload);
+      turn(unload, cell);
       commits();
-      return chunks(reload);
+      return turn(reload, cell);
     }
     default:  // leaves a place, and what was unloaded there
       forgetMarks();
-      chunks(unload);
+      turn(unload, cell);
       make(Call::commit());
-      chunks(leave);
-      return random_.chance(50) ? chunks(reload) : void();
+      turn(leave, cell);
+      return random_.chance(50) ? turn(reload, cell) : void();
   }
 }
 

@@ -55,6 +55,7 @@ Call Model::resolved(const Call& call) const {
 }
 
 void Model::add(const std::string& name, ScenePolygon polygon, PolygonHandle handle) {
+  now_.pending = Pending::sure;
   now_.chunks.insert(chunkOf(polygon.cell));
   now_.given.push_back({name, handle});
   now_.standing.add(name, std::move(polygon), handle);
@@ -71,6 +72,7 @@ void Model::clear(const CellRect& cells) {
   for (const auto& entry : now_.standing.cells())
     if (contains(cells, entry.first)) gone.push_back(entry.first);
   for (const Cell cell : gone) now_.standing.take(cell);
+  if (!gone.empty()) now_.pending = Pending::sure;
 }
 
 void Model::apply(const Call& call, const Outcome* outcome, const World* world) {
@@ -83,6 +85,7 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
   // What changes nothing may count as an edit, or not.
   const bool mayBeNone = !isEdit(call.kind) || call.kind == Kind::shape || call.kind == Kind::setBlock ||
                          (call.comes.empty() && call.goes.empty()) || (call.kind == Kind::fill && isEmpty(call.cells));
+  if (!movesInTime(call.kind)) isPending(mayBeNone || call.kind == Kind::clear ? Pending::maybe : Pending::sure);
   if (!movesInTime(call.kind) && !isOfMemory(call.kind)) timeline_.happened(mayBeNone ? Redo::maybe : Redo::no);
   switch (call.kind) {
     case Kind::setBlock:
@@ -100,6 +103,7 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
     case Kind::follow:
       return;
     case Kind::commit:
+      now_.pending = Pending::no;
       now_.alone.clear();
       for (const auto& entry : now_.away)
         if (!isBesideLoaded(entry.first)) now_.alone.insert(entry.first);
@@ -131,6 +135,7 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
       if (hasMarks()) timeline_.forget(call.nth);
       return;
     case Kind::load:
+      now_.pending = Pending::no;
       return timeline_.clear();
     case Kind::replace:
       clear({call.comes[0].cell, call.comes[0].cell});

@@ -11,6 +11,8 @@
 #include "oracle/trace/standing.h"
 #include "oracle/trace/trace.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -57,7 +59,10 @@ class Model {
 
   /// By whoever makes edits beside the calls: a brush.
   void add(const std::string& name, ScenePolygon polygon, PolygonHandle handle = {});
-  void remove(const std::string& name) { now_.standing.remove(name); }
+  void remove(const std::string& name) {
+    now_.pending = Pending::sure;
+    now_.standing.remove(name);
+  }
   void recolour(const std::string& name, Block block) { now_.standing.recolour(name, block); }
   std::string freshName() { return "#" + std::to_string(++names_); }  ///< that no text can say
 
@@ -89,12 +94,14 @@ class Model {
     std::string name;
     PolygonHandle handle;
   };
+  enum class Pending : std::uint8_t { no, maybe, sure };  ///< edits since the last commit
   struct State {
     Standing standing;
     std::map<Cell, Content> away;  ///< chunks that are not in memory
     std::set<Cell> chunks;         ///< all of them
     std::set<Cell> alone;          ///< of those not in memory: no loaded one was around it at the last commit
     std::vector<Given> given;      ///< all that was ever placed
+    Pending pending{};             ///< *maybe* where what was done may change nothing
   };
 
   /// Undoes a group of edits: these are from when it began.
@@ -113,6 +120,7 @@ class Model {
   std::vector<Cell> chunksWithin(const CellRect& cells, bool areLoaded) const;
   std::string wrongHandles(const Call& call, const Outcome& outcome) const;
   std::string wrongChunks(const Call& call, const Outcome& outcome) const;
+  void isPending(Pending least) { now_.pending = std::max(now_.pending, least); }
   void place(Cell cell, const Coming& coming, std::span<const PolygonHandle> handles);
   void clear(const CellRect& cells);
   void unload(const CellRect& cells);

@@ -180,9 +180,9 @@ Verdict Model::judgeParts(const Call& call) const {
     case Kind::goForward:
       if (!hasAhead() || timeline_.redo() == Redo::sure) return {};
       return {.accepted = false, .code = ErrorCode::unknownMark, .isOpen = timeline_.redo() == Redo::maybe};
-    case Kind::follow:  // if edits are pending
-      return hasMarks() ? Verdict{false, ErrorCode::uncommitted}
-                        : Verdict{.code = ErrorCode::uncommitted, .isOpen = true};
+    case Kind::follow:
+      if (hasMarks() || now_.pending == Pending::sure) return {false, ErrorCode::uncommitted};
+      return now_.pending == Pending::no ? Verdict{} : Verdict{.code = ErrorCode::uncommitted, .isOpen = true};
     case Kind::load: {
       const auto away = firstAway({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
       return away ? Verdict{false, ErrorCode::unloaded, *away} : Verdict{};

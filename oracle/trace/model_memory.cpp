@@ -67,7 +67,9 @@ void Model::unload(const CellRect& cells) {
 // and was not there yet, was there at all times, and held nothing.
 void Model::goTo(State state) {
   const std::set<Cell> away = chunksAway();
+  const bool wasPending = now_.pending != Pending::no;  // chunks may have come or gone
   now_ = std::move(state);
+  if (wasPending) isPending(Pending::maybe);
   for (const auto& entry : std::exchange(now_.away, {})) bringBack(entry.second);
   for (const Cell chunk : away) {
     takeAway(chunk);
