@@ -19,7 +19,7 @@ class Painter {
     BrushEdit brush;
     brush.deed = kDeeds[random_.below(kDeeds.size())];
     const Block block = any(blocks);
-    if (random_.chance(25)) brush.staying = {any(blocks)};
+    if (random_.chance(30)) brush.staying = {any(blocks)};
     const int kind = tight_ && random_.chance(80) ? 2 : random_.below(20);
     if (kind == 0) brush.deed = BrushEdit::Deed::carve;  // or many cells would be filled
     brush.block = brush.deed == BrushEdit::Deed::carve ? 0 : block;
@@ -64,6 +64,7 @@ class Painter {
 
   Region shape() {
     const Point at = place();
+    if (random_.chance(25)) return wholeCells(at);
     const std::int64_t size = (2 * kUnitsPerCell) >> random_.below(random_.chance(80) ? 6 : 17);
     const std::int64_t width = width_ = between(1, size);
     switch (random_.below(3)) {
@@ -77,6 +78,13 @@ class Painter {
         return thickLine(line, width, 8);
       }
     }
+  }
+
+  /// Some cells and halves of cells wide and high: it covers cells, some of them in a row.
+  Region wholeCells(Point at) {
+    const std::int64_t width = between(1, 8) * kUnitsPerCell / 2, height = between(1, 6) * kUnitsPerCell / 2;
+    width_ = kUnitsPerCell;
+    return {.rings = {{at, {at.x + width, at.y}, {at.x + width, at.y + height}, {at.x, at.y + height}}}};
   }
 
   /// Around a point, with many corners.

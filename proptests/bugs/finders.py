@@ -140,7 +140,7 @@ class Command:
         if how := re.search(r"crashed with \w+|hung (asleep )?for \d+ s", ran.output):
             result["how"] = how[0]
         if not ran.timed_out and "hung" not in result.get("how", ""):
-            run([*command, 20], self.limit, memory="unlimited")
+            run([*command, 60], self.limit, memory="unlimited")
             result |= shrunk(out)
         return result
 
