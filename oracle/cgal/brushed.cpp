@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_vertical_decomposition_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -143,6 +144,19 @@ void addEdges(const PolygonSet& set, Sides& edges) {
   }
 }
 
+// The sides of a solid that rounding may move: none on a line between cells, since a brush cuts along these.
+Sides movable(const PolygonSet& solid) {
+  Sides sides;
+  addEdges(solid, sides);
+  const auto isOnGrid = [](double min, double max) {
+    return min == max && std::fmod(min, static_cast<double>(kUnitsPerCell)) == 0;
+  };
+  std::erase_if(sides, [&](const Side& side) {
+    return isOnGrid(side.box.xmin(), side.box.xmax()) || isOnGrid(side.box.ymin(), side.box.ymax());
+  });
+  return sides;
+}
+
 using Convex = std::vector<Kernel::Point_2>;
 
 // The distance from an edge is a convex function: if it is at most `reach` in all corners of a convex polygon, it is in all
@@ -205,9 +219,8 @@ std::optional<std::string> farFromExact(const Scene& before, const BrushEdit& ed
   for (const auto& [block, set] : exact.blocks)
     if (const auto complaint = farFrom(set, real[block], edges))
       return "block " + std::to_string(block) + " " + *complaint;
-  Sides outline;
-  addEdges(exact.solid, outline);
-  if (const auto complaint = farFrom(exact.solid, united(near.after), outline)) return "the solid " + *complaint;
+  if (const auto complaint = farFrom(exact.solid, united(near.after), movable(exact.solid)))
+    return "the solid " + *complaint;
   return std::nullopt;
 }
 
@@ -216,9 +229,7 @@ std::optional<std::string> seamIn(const Scene& before, const BrushEdit& filled, 
   PolygonSet outside = regionOf(filled);
   outside.difference(ground);
   if (!outside.is_empty()) return std::nullopt;
-  Sides outline;
-  addEdges(ground, outline);
-  const auto complaint = farFrom(ground, byBlock(after.polygons)[filled.block], outline, 2);
+  const auto complaint = farFrom(ground, byBlock(after.polygons)[filled.block], movable(ground), 2);
   return complaint ? std::optional("a carved region that is filled again " + *complaint) : std::nullopt;
 }
 

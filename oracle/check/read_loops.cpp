@@ -85,7 +85,7 @@ Outline outlineOf(std::span<const Segment> segments, const std::vector<SegmentId
 
 }  // namespace
 
-std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> segments) {
+std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> segments, const Outline* whole) {
   const std::vector<Chain> expected = chainsOf(segments);
   const std::vector<Loop> kept = world.loops(Collinear::keep);
   const std::vector<Loop> joined = world.loops(Collinear::merge);
@@ -95,7 +95,9 @@ std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> 
   }
   std::map<Point, int> leaving;
   for (const Segment& s : segments)
-    if (s.id) ++leaving[s.start];
+    if (s.id && whole == nullptr) ++leaving[s.start];
+  if (whole != nullptr)
+    for (const OutlineSegment& s : *whole) ++leaving[s.start];
   std::vector<std::vector<Point>> corners;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     if (kept[k].vertices != expected[k].first || kept[k].segments != expected[k].second)

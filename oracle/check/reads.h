@@ -25,7 +25,9 @@ std::optional<WrongRead> readPolygons(const Player& player);
 /// Segments by id, dead ids too; and by rectangle, for a few rectangles. Some may be unloaded, or were: `isAway`.
 std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments, bool isAway = false);
 
-/// The loops, with and without collinear vertices.
-std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> segments);
+/// The loops, with and without collinear vertices. Where chunks are unloaded `whole` is the outline of all there is: a
+/// passage there keeps a vertex, too.
+std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> segments,
+                                   const Outline* whole = nullptr);
 
 }  // namespace lgs::oracle

@@ -22,20 +22,20 @@ struct EditHabits {
   std::vector<Cell> cells;                        ///< at least one
   bool wander = false;                            ///< the next cell is near the last one
 
-  int place = 0;                    ///< a shape, or some of its polygons
-  int fill = 0;                     ///< a shape in each cell of a rectangle
-  int lean = 0;                     ///< a triangle on an edge in the cell, or on a part of it
-  int scatter = 0;                  ///< a random polygon, on a coarse or a fine grid
-  int restore = 0;                  ///< what stood in the cell at the start
-  int remove = 0;                   ///< one polygon
-  int clear = 0;                    ///< the whole cell, or a rectangle
-  int replace = 0;                  ///< takes a polygon away and puts it back
-  int refused = 0;                  ///< something that must be refused
-  int any = 0;                      ///< any call of the alphabet (oracle/calls/draw.h), good or bad
-  int stroke = 0;                   ///< of a brush
-  std::optional<Tight> tight = {};  ///< where all strokes are
-  int travel = 0;                   ///< marks, back and forward; groups; copies, saves
-  int memory = 0;                   ///< chunks leave memory, and come back; places are forgotten; cells are worn
+  int place = 0;    ///< a shape, or some of its polygons
+  int fill = 0;     ///< a shape in each cell of a rectangle
+  int lean = 0;     ///< a triangle on an edge in the cell, or on a part of it
+  int scatter = 0;  ///< a random polygon, on a coarse or a fine grid
+  int restore = 0;  ///< what stood in the cell at the start
+  int remove = 0;   ///< one polygon
+  int clear = 0;    ///< the whole cell, or a rectangle
+  int replace = 0;  ///< takes a polygon away and puts it back
+  int refused = 0;  ///< something that must be refused
+  int any = 0;      ///< any call of the alphabet (oracle/calls/draw.h), good or bad
+  int stroke = 0;   ///< of a brush
+  StrokeHabits strokes = {};
+  int travel = 0;  ///< marks, back and forward; groups; copies, saves
+  int memory = 0;  ///< chunks leave memory, and come back; places are forgotten; cells are worn
 
   int commitPercent = 100;  ///< chance of a commit after an operation
   bool forms = false;       ///< edits are made by calls of all kinds that come to the same

@@ -127,9 +127,10 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.memory = random.chance(35) && !options.inMemory ? 1 + random.below(5) : 0;
     habits.stroke = options.brushes ? 10 : 0;
   }
+  habits.strokes.blocks = habits.blocks;
   if (options.brushes && random.chance(50)) {
     const Cell middle{origin.i + width / 2, origin.j + height / 2};
-    habits.tight = tightAt(toWorld(middle, {0, 0}), random);
+    habits.strokes.tight = tightAt(toWorld(middle, {0, 0}), random);
     habits.cells = grid({middle.i - 1, middle.j - 1}, 3, 3);
     std::erase_if(habits.cells, [](Cell cell) { return !inRange(cell); });
   }

@@ -22,11 +22,11 @@ struct GeneratorOptions {
   std::int32_t height = 4;
   std::size_t edits = 100;                 ///< adds and removes, refused ones included
   Capabilities can = Capabilities::all();  ///< what the worlds must be fit for
-  bool crowds = true;       ///< the limits of a cell are this library's: other engines need not know them
-  bool isOfCalls = false;   ///< all calls of this library's; else adds, removes and commits alone, by name
-  bool brushes = false;     ///< among the other calls
-  bool inMemory = false;  ///< chunks stay there
-  bool bad = false;         ///< most of the edits must be refused
+  bool crowds = true;      ///< the limits of a cell are this library's: other engines need not know them
+  bool isOfCalls = false;  ///< all calls of this library's; else adds, removes and commits alone, by name
+  bool brushes = false;    ///< among the other calls
+  bool inMemory = false;   ///< chunks stay there
+  bool bad = false;        ///< most of the edits must be refused
 };
 
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.

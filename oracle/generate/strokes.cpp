@@ -12,37 +12,32 @@ constexpr std::array<std::int64_t, 6> kSteps{1, 5, 37, 977, 8'192, 10'007};
 
 class Painter {
  public:
-  Painter(Cell cell, const std::optional<Tight>& tight, Random& random) : cell_(cell), tight_(tight), random_(random) {}
+  Painter(Cell cell, const StrokeHabits& habits, Random& random) : cell_(cell), habits_(habits), random_(random) {}
 
-  std::vector<Call> stroke(std::span<const Block> blocks) {
+  std::vector<Call> stroke() {
+    if (random_.chance(8)) return onSolidGround();
     constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
     BrushEdit brush;
     brush.deed = kDeeds[random_.below(kDeeds.size())];
-    const Block block = any(blocks);
-    if (random_.chance(30)) brush.staying = {any(blocks)};
-    const int kind = tight_ && random_.chance(80) ? 2 : random_.below(20);
+    const Block block = any();
+    if (random_.chance(30)) brush.staying = {any()};
+    const int kind = habits_.tight && random_.chance(80) ? 2 : random_.below(20);
     if (kind == 0) brush.deed = BrushEdit::Deed::carve;  // or many cells would be filled
     brush.block = brush.deed == BrushEdit::Deed::carve ? 0 : block;
     if (kind < 9) {
       if (kind == 0) brush.rings = {longest()};
       if (kind == 1) brush.rings = {star()};
-      if (kind > 1) brush.rings = crossing(tight_ ? *tight_ : tightAt(place(), random_));
-      std::vector<Call> calls{Call::byBrush(brush)};
-      if (brush.deed == BrushEdit::Deed::carve && kind != 0 && random_.chance(40)) {
-        brush.deed = BrushEdit::Deed::fill;
-        brush.block = any(blocks);
-        calls.push_back(Call::byBrush(std::move(brush)));
-      }
-      return calls;
+      if (kind > 1) brush.rings = rings();
+      return {Call::byBrush(std::move(brush))};
     }
-    std::vector<Ring> rings = shape().rings;
+    std::vector<Ring> parts = shape().rings;
     brush.isEvenOdd = width_ < kLeastUnited || random_.chance(50);
     std::vector<Call> calls;
     if (!brush.isEvenOdd) {
-      brush.rings = std::move(rings);
+      brush.rings = std::move(parts);
       return {Call::byBrush(std::move(brush))};
     }
-    for (Ring& ring : rings) {
+    for (Ring& ring : parts) {
       brush.rings = {std::move(ring)};
       calls.push_back(Call::byBrush(brush));
     }
@@ -50,8 +45,45 @@ class Painter {
   }
 
  private:
-  Block any(std::span<const Block> blocks) { return blocks[random_.below(blocks.size())]; }
+  Block any() { return random_.pick(habits_.blocks); }
   std::int64_t between(std::int64_t least, std::int64_t most) { return random_.between(least, most); }
+  std::vector<Ring> rings() {
+    if (!habits_.corners.empty() && random_.chance(30)) return {passing()};
+    return crossing(habits_.tight ? *habits_.tight : tightAt(place(), random_));
+  }
+
+  /// Full cells are carved and filled again, or get another block: that leaves no seam (law 10).
+  std::vector<Call> onSolidGround() {
+    Call gone = Call::of(Call::Kind::clear), many = Call::of(Call::Kind::addMany);
+    gone.cells = {{cell_.i - 1, cell_.j - 1}, {cell_.i + 1, cell_.j + 1}};
+    const bool areHalved = random_.chance(60), isOneBlock = random_.chance(50);
+    const Block block = any();
+    constexpr std::int32_t kEnd = kUnitsPerCell;
+    const std::int32_t left = random_.between(1, kEnd - 1), right = random_.between(1, kEnd - 1);
+    const auto add = [&](Cell cell, LocalPolygon polygon) {
+      many.comes.push_back({.cell = cell, .shape = {std::move(polygon)}, .block = isOneBlock ? block : any()});
+    };
+    for (std::int32_t k = 0; k < 9; ++k) {
+      const Cell cell{gone.cells.min.i + k % 3, gone.cells.min.j + k / 3};
+      if (areHalved) {
+        add(cell, {{0, 0}, {kEnd, 0}, {kEnd, right}, {0, left}});
+        add(cell, {{0, left}, {kEnd, right}, {kEnd, kEnd}, {0, kEnd}});
+      } else {
+        add(cell, {kUnitSquare.begin(), kUnitSquare.end()});
+      }
+    }
+    BrushEdit brush{.deed = BrushEdit::Deed::carve, .rings = rings()};
+    const Point min = toWorld(gone.cells.min, {0, 0}), max = toWorld(gone.cells.max, {kEnd, kEnd});
+    for (Ring& ring : brush.rings)
+      for (Point& p : ring) p = {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
+    std::vector<Call> calls{std::move(gone), std::move(many)};
+    if (isOneBlock) calls.push_back(Call::byBrush(brush));
+    brush.deed = isOneBlock ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
+    brush.block = isOneBlock ? block : any();
+    calls.push_back(Call::byBrush(std::move(brush)));
+    return calls;
+  }
+
   Point near(Point p, std::int64_t reach) { return {p.x + between(-reach, reach), p.y + between(-reach, reach)}; }
 
   /// A place in a cell: on its rim, on a coarse lattice, or anywhere.
@@ -98,6 +130,16 @@ class Painter {
     return ring;
   }
 
+  /// A triangle with an edge that passes a corner by less than a unit or two.
+  Ring passing() {
+    const Point corner = random_.pick(habits_.corners);
+    const Point step{between(-2'000, 2'000), between(-2'000, 2'000)};
+    const std::int64_t to = between(1, 30), from = -between(1, 30);
+    const auto along = [&](std::int64_t n) { return near({corner.x + n * step.x, corner.y + n * step.y}, 1); };
+    const Point a = along(to), b = along(from);
+    return {a, b, near(corner, kUnitsPerCell / 2)};
+  }
+
   /// As wide or high as a region may be, or a unit more, which must be refused.
   Ring longest() {
     const Point at = place();
@@ -120,7 +162,7 @@ class Painter {
   static constexpr std::int64_t kLeastUnited = 256;  // units: a smaller one that is rounded may touch itself
 
   Cell cell_;
-  const std::optional<Tight>& tight_;
+  const StrokeHabits& habits_;
   Random& random_;
   std::int64_t width_ = 0;  // of the last shape
 };
@@ -129,9 +171,12 @@ class Painter {
 
 Tight tightAt(Point centre, Random& random) { return {centre, kSteps[random.below(kSteps.size())]}; }
 
-std::vector<Call> strokeAt(Cell cell, std::span<const Block> blocks, const std::optional<Tight>& tight,
-                           Random& random) {
-  return Painter(cell, tight, random).stroke(blocks);
+std::vector<Call> strokeAt(Cell cell, StrokeHabits& habits, Random& random) {
+  std::vector<Call> calls = Painter(cell, habits, random).stroke();
+  habits.corners.clear();
+  for (const std::vector<Point>& ring : calls.back().brush.rings)
+    habits.corners.insert(habits.corners.end(), ring.begin(), ring.end());
+  return calls;
 }
 
 }  // namespace lgs::oracle

@@ -18,9 +18,17 @@ struct Tight {
 };
 Tight tightAt(Point centre, Random& random);
 
+/// What strokes are made for.
+struct StrokeHabits {
+  std::vector<Block> blocks;        ///< at least one
+  std::optional<Tight> tight = {};  ///< where all strokes are
+  std::vector<Point> corners = {};  ///< of the last ones: an edge may pass one of them by less than a unit
+};
+
 /// A stroke at a cell, of one of these blocks, and around another one now and then: circles, stars, rectangles, thick
 /// lines and rings that cross themselves, over several cells down to a few units; or as long as a region may be. A thick
-/// line is one call, or one for each of its parts; what is carved may be filled again.
-std::vector<Call> strokeAt(Cell cell, std::span<const Block> blocks, const std::optional<Tight>& tight, Random& random);
+/// line is one call, or one for each of its parts. Before some strokes the cells around are filled. The corners are those of this one
+/// afterwards.
+std::vector<Call> strokeAt(Cell cell, StrokeHabits& habits, Random& random);
 
 }  // namespace lgs::oracle

@@ -17,8 +17,8 @@ Call Editor::anyEdit(Cell cell) {
 void Editor::any(Cell cell) { make(anyEdit({cell.i - 1, cell.j - 1})); }
 
 void Editor::stroke(Cell cell) {
-  for (Call& call : strokeAt(cell, habits_.blocks, habits_.tight, random_)) {
-    const CellRect cells = cellsUnder(call.brush);
+  for (Call& call : strokeAt(cell, habits_.strokes, random_)) {
+    const CellRect cells = call.kind == Call::Kind::brush ? cellsUnder(call.brush) : call.cells;
     for (const Cell at : habits_.cells)
       if (contains(cells, at)) brushed_.insert(at);
     make(std::move(call));

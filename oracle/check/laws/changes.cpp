@@ -18,7 +18,7 @@ class ChangesLaw : public Law {
   Found nowAndThen(Seen& seen) override {
     if (auto wrong = readSegments(seen.world(), copy_.segments(), seen.wasAway))
       return seen.mismatch(Mismatch::Kind::reading, std::move(wrong->text), std::move(wrong->about));
-    if (auto wrong = readLoops(seen.world(), copy_.segments()))
+    if (auto wrong = readLoops(seen.world(), copy_.segments(), seen.model().isWhole() ? nullptr : &seen.whole()))
       return seen.mismatch(Mismatch::Kind::reading, std::move(wrong->text), std::move(wrong->about));
     return std::nullopt;
   }
