@@ -1,10 +1,10 @@
 // Laws 8 to 11: what a brush leaves of the ground. The checker measures each stroke: that it is rounded by a unit at most
-// (law 8), that what it does not reach stays or is told as bent (law 9), that it is not refused (law 11), and that its
-// result tells what happened.
+// (law 8), that what it does not reach stays or is told as bent (law 9), that it leaves no seam (law 10), that it is not
+// refused (law 11), and that its result tells what happened.
 #include "proptests/brush/strokes.h"
 #include "proptests/support/law.h"
-#include "proptests/support/must.h"
 #include "proptests/support/played.h"
+#include "proptests/support/traces.h"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,7 @@
 namespace lgs::test {
 namespace {
 
-LGS_LAW(Brush, Law8RoundsByAUnitAtMost, 400, (const AnyStrokes& strokes)) {
-  expectNoMismatch(strokes, {.naive = false});
-}
-
-LGS_LAW(Brush, Law9WhatIsNotReachedStays, 3'000, (const AnyStrokes& strokes)) {
-  expectNoMismatch(strokes, {.naive = false, .cgal = false});
-}
+LGS_LAW(Brush, StrokesKeepTheLaws, 600, (const TraceOfStrokes& trace)) { expectNoMismatch(trace, {.naive = false}); }
 
 /// The region, as far as it lies over the ground.
 Region within(Region region) {
@@ -31,15 +25,6 @@ Region within(Region region) {
 
 LGS_LAW(Brush, Law10CarveAndPaintLeavesNoSeam, 3'000, (const AnyRegion& any)) {
   for (const Ground ground : {Ground::solid, Ground::halved}) expectNoSeam(ground, within(any.region()));
-}
-
-LGS_LAW(Brush, Law10AnotherBlockLeavesNoSeam, 3'000, (const AnyStrokes& strokes)) {
-  World world = worldOf(Ground::slanted);
-  const auto solid = outlines(world);
-  for (const oracle::BrushEdit& edit : strokes.strokes()) {
-    must(paint(world, within(oracle::regionOf(edit)), edit.block, PaintMode::replace));
-    EXPECT_EQ(outlines(world), solid);
-  }
 }
 
 }  // namespace

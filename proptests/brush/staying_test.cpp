@@ -13,28 +13,14 @@
 namespace lgs::test {
 namespace {
 
-LGS_LAW(BrushStaying, IsRoundedByAUnitAtMost, 300, (const AnyStrokes& strokes)) {
-  World world = strokes.ground();
-  for (oracle::BrushEdit edit : strokes.strokes()) {
-    const oracle::Scene before = bareScene(world);
-    edit.staying = {2, 3};
-    must(stroke(world, edit));
-    failIf(farFromExact(before, edit, bareScene(world)));
-  }
-}
-
-LGS_LAW(BrushStaying, AllIsToFillAndNoneIsNothingSpecial, 500, (const AnyStrokes& strokes)) {
-  World around = strokes.ground(), filled = around, plain = around, none = around;
-  for (oracle::BrushEdit edit : strokes.strokes()) {
-    if (edit.deed != Deed::carve) {
-      must(paint(around, oracle::regionOf(edit), edit.block, PaintMode::replace, [](Block) { return true; }));
-      must(paint(filled, oracle::regionOf(edit), edit.block, PaintMode::fill));
-    }
-    must(stroke(plain, edit));
-    edit.staying = {4'711};  // a block that is nowhere
-    must(stroke(none, edit));
-  }
+LGS_LAW(BrushStaying, AllIsToFillAndNoneIsNothingSpecial, 1'500, (const AnyRegion& any)) {
+  const Region region = any.region();
+  World around = worldOf(Ground::slanted), filled = around, plain = around, none = around;
+  must(paint(around, region, 2, PaintMode::replace, [](Block) { return true; }));
+  must(paint(filled, region, 2, PaintMode::fill));
   EXPECT_TRUE(standingIn(around) == standingIn(filled));
+  must(carve(plain, region));
+  must(carve(none, region, [](Block block) { return block == 4'711; }));  // which is nowhere
   EXPECT_TRUE(standingIn(plain) == standingIn(none));
 }
 
@@ -133,19 +119,6 @@ TEST(BrushStayingByHand, OreAndBedrockKeepTheirHandles) {
   EXPECT_EQ(world.polygon(ore)->block, 9U);
   EXPECT_EQ(world.polygon(stone)->block, 4U);
   EXPECT_EQ(world.at({2 * kCellUnits + 3 * kCellUnits / 4, kCellUnits / 4}).block, 4U);
-}
-
-TEST(BrushStayingByHand, OreStaysWhereALargeStrokeCoversManyCellsAtOnce) {
-  World world;
-  std::vector<PolygonHandle> ores;
-  for (std::int32_t k = 0; k < 16; ++k) {
-    ores.push_back(*world.add({k, k}, kUnitSquare, 9));
-    ASSERT_TRUE(world.add({k, 15 - k}, kUnitSquare, 1));
-  }
-  const Region blast = rect({-5, -5}, {16 * kCellUnits + 5, 16 * kCellUnits + 5});
-  const auto done = must(carve(world, blast, [](Block block) { return block == 9; }));
-  EXPECT_EQ(done.removed.size(), 16U);
-  for (const PolygonHandle ore : ores) EXPECT_TRUE(world.polygon(ore));
 }
 
 TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {

@@ -62,6 +62,9 @@ Trace anyTrace(int size, Random random) { return randomTrace(size, random, {.isO
 Trace traceInMemory(int size, Random random) {
   return randomTrace(size, random, {.isOfCalls = true, .inMemory = true});
 }
+Trace traceOfStrokes(int size, Random random) {
+  return randomTrace(size, random, {.isOfCalls = true, .brushes = true});
+}
 Trace goodTrace(int size, Random random) { return withoutRefused(randomTrace(size, random, {})); }
 
 Trace plainTrace(int size, Random random) {
@@ -120,6 +123,7 @@ void showValue(const Chance& chance, std::ostream& out) {
 
 rc::Gen<AnyTrace> AnyTrace::arbitrary() { return ofKind<AnyTrace>(traces(anyTrace, {})); }
 rc::Gen<TraceInMemory> TraceInMemory::arbitrary() { return ofKind<TraceInMemory>(traces(traceInMemory, {})); }
+rc::Gen<TraceOfStrokes> TraceOfStrokes::arbitrary() { return ofKind<TraceOfStrokes>(traces(traceOfStrokes, {})); }
 rc::Gen<GoodTrace> GoodTrace::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
 rc::Gen<PlainTrace> PlainTrace::arbitrary() {
   return ofKind<PlainTrace>(traces(plainTrace, [](const oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));

@@ -25,6 +25,11 @@ struct TraceInMemory : oracle::Trace {
   static rc::Gen<TraceInMemory> arbitrary();
 };
 
+/// The same, with strokes of brushes among them.
+struct TraceOfStrokes : oracle::Trace {
+  static rc::Gen<TraceOfStrokes> arbitrary();
+};
+
 /// Every edit is good.
 struct GoodTrace : oracle::Trace {
   static rc::Gen<GoodTrace> arbitrary();
