@@ -49,7 +49,7 @@ class Painter {
   std::int64_t between(std::int64_t least, std::int64_t most) { return random_.between(least, most); }
   std::vector<Ring> rings() {
     if (!habits_.corners.empty() && random_.chance(30)) return {passing()};
-    return crossing(habits_.tight ? *habits_.tight : tightAt(place(), random_));
+    return crossingRings(habits_.tight ? *habits_.tight : tightAt(place(), random_), random_);
   }
 
   /// Full cells are carved and filled again, or get another block: that leaves no seam (law 10).
@@ -149,16 +149,6 @@ class Painter {
     return {at, {far.x, at.y}, far, {at.x, far.y}};
   }
 
-  /// Rings on a lattice of few points: they cross, touch and overlap.
-  std::vector<Ring> crossing(const Tight& lattice) {
-    const auto& [at, step] = lattice;
-    std::vector<Ring> rings(1 + random_.below(2U));
-    for (Ring& ring : rings)
-      for (std::int64_t k = between(3, 7); k > 0; --k)
-        ring.push_back({at.x + step * between(-12, 12), at.y + step * between(-12, 12)});
-    return rings;
-  }
-
   static constexpr std::int64_t kLeastUnited = 256;  // units: a smaller one that is rounded may touch itself
 
   Cell cell_;
@@ -168,6 +158,18 @@ class Painter {
 };
 
 }  // namespace
+
+std::vector<Ring> crossingRings(const Tight& lattice, Random& random) {
+  const auto& [at, step] = lattice;
+  std::vector<Ring> rings(1 + random.below(2U));
+  for (Ring& ring : rings) {
+    for (std::int64_t k = random.between(3, 7); k > 0; --k) {
+      const std::int64_t x = random.between(-12, 12), y = random.between(-12, 12);
+      ring.push_back({at.x + step * x, at.y + step * y});
+    }
+  }
+  return rings;
+}
 
 Tight tightAt(Point centre, Random& random) { return {centre, kSteps[random.below(kSteps.size())]}; }
 

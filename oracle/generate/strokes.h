@@ -18,6 +18,9 @@ struct Tight {
 };
 Tight tightAt(Point centre, Random& random);
 
+/// Rings on such a lattice: they cross, touch and overlap.
+std::vector<std::vector<Point>> crossingRings(const Tight& lattice, Random& random);
+
 /// What strokes are made for.
 struct StrokeHabits {
   std::vector<Block> blocks;        ///< at least one

@@ -46,9 +46,8 @@ World worldOf(const Trace& trace) {
 
 // The one maker's, on a tight lattice.
 Trace oneStroke(int, Random random) {
-  const Point corner = toWorld({1, 1}, {0, 0});
-  oracle::StrokeHabits habits{.blocks = {1, 2, 3}, .tight = oracle::tightAt(corner, random)};
-  return {{}, {oracle::strokeAt({1, 1}, habits, random).back()}};
+  const oracle::Tight lattice = oracle::tightAt(toWorld({1, 1}, {0, 0}), random);
+  return {{}, {Call::byBrush({.rings = oracle::crossingRings(lattice, random)})}};
 }
 
 bool isOneStroke(const Trace& trace) { return trace.calls.size() == 1 && hasBrushes(trace); }
