@@ -72,15 +72,17 @@ class Painter {
         add(cell, {kUnitSquare.begin(), kUnitSquare.end()});
       }
     }
-    BrushEdit brush{.deed = BrushEdit::Deed::carve, .rings = rings()};
     const Point min = toWorld(gone.cells.min, {0, 0}), max = toWorld(gone.cells.max, {kEnd, kEnd});
-    for (Ring& ring : brush.rings)
-      for (Point& p : ring) p = {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
     std::vector<Call> calls{std::move(gone), std::move(many)};
-    if (isOneBlock) calls.push_back(Call::byBrush(brush));
-    brush.deed = isOneBlock ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
-    brush.block = isOneBlock ? block : any();
-    calls.push_back(Call::byBrush(std::move(brush)));
+    for (int k = random_.between(1, 3); k > 0; --k) {
+      BrushEdit brush{.deed = BrushEdit::Deed::carve, .rings = rings()};
+      for (Ring& ring : brush.rings)
+        for (Point& p : ring) p = {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
+      if (isOneBlock) calls.push_back(Call::byBrush(brush));
+      brush.deed = isOneBlock ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
+      brush.block = isOneBlock ? block : any();
+      calls.push_back(Call::byBrush(std::move(brush)));
+    }
     return calls;
   }
 
