@@ -59,9 +59,6 @@ Trace randomTrace(int size, Random random, oracle::GeneratorOptions options) {
 }
 
 Trace anyTrace(int size, Random random) { return randomTrace(size, random, {.isOfCalls = true}); }
-Trace traceInMemory(int size, Random random) {
-  return randomTrace(size, random, {.isOfCalls = true, .inMemory = true});
-}
 Trace traceOfStrokes(int size, Random random) {
   return randomTrace(size, random, {.isOfCalls = true, .brushes = true});
 }
@@ -122,7 +119,6 @@ void showValue(const Chance& chance, std::ostream& out) {
 }
 
 rc::Gen<AnyTrace> AnyTrace::arbitrary() { return ofKind<AnyTrace>(traces(anyTrace, {})); }
-rc::Gen<TraceInMemory> TraceInMemory::arbitrary() { return ofKind<TraceInMemory>(traces(traceInMemory, {})); }
 rc::Gen<TraceOfStrokes> TraceOfStrokes::arbitrary() { return ofKind<TraceOfStrokes>(traces(traceOfStrokes, {})); }
 rc::Gen<GoodTrace> GoodTrace::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
 rc::Gen<PlainTrace> PlainTrace::arbitrary() {

@@ -20,11 +20,6 @@ struct AnyTrace : oracle::Trace {
   static rc::Gen<AnyTrace> arbitrary();
 };
 
-/// The same, but that all chunks stay in memory.
-struct TraceInMemory : oracle::Trace {
-  static rc::Gen<TraceInMemory> arbitrary();
-};
-
 /// The same, with strokes of brushes among them.
 struct TraceOfStrokes : oracle::Trace {
   static rc::Gen<TraceOfStrokes> arbitrary();

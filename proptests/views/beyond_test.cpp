@@ -165,18 +165,20 @@ TEST(BeyondMemoryByHand, UnderAPreserveRelationARollBackMakesUnloadedGroundUnkno
   put(world, {32, 5});
   follow(world.commit());
   const Mark mark = world.checkpoint();
-  removeAll(world, {32, 5});
-  follow(world.commit());
   Shelf shelf;
-  must(world.unload(chunkAt(1, 0), shelf.sink()));
-  follow(world.commit());
-  EXPECT_EQ(islands.all().size(), 1U);
-  ASSERT_TRUE(world.rollBack(mark));
-  follow(world.changesOfRollBack());
-  EXPECT_TRUE(islands.all().empty()) << "what it hangs on is there again";
-  EXPECT_TRUE(shelf.reload(world, {32, 0}));
-  follow(world.commit());
-  EXPECT_EQ(islands.all().size(), 1U);
+  for (int k = 0; k < 2; ++k) {
+    removeAll(world, {32, 5});
+    follow(world.commit());
+    must(world.unload(chunkAt(1, 0), shelf.sink()));
+    follow(world.commit());
+    EXPECT_EQ(islands.all().size(), 1U);
+    ASSERT_TRUE(world.rollBack(mark));
+    follow(world.changesOfRollBack());
+    EXPECT_TRUE(islands.all().empty()) << "what it hangs on is there again";
+    EXPECT_TRUE(shelf.reload(world, {32, 0}));
+    follow(world.commit());
+    EXPECT_EQ(islands.all().size(), 1U);
+  }
 }
 
 TEST(BeyondMemoryByHand, AChainThatClosesWithOtherIdsWasBeyond) {

@@ -9,7 +9,7 @@
 namespace lgs::test {
 namespace {
 
-LGS_LAW(Views, AreTheirRecompute, 600, (const TraceInMemory& trace)) {
+LGS_LAW(Views, AreTheirRecompute, 600, (const AnyTrace& trace)) {
   expectNoMismatch(trace, {.naive = false, .cgal = false, .views = true});
 }
 
