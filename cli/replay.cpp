@@ -187,7 +187,7 @@ void addReplay(CLI::App& app, Action& chosen) {
   command
       .add_flag("--views", arguments->checkOptions.views,
                 "Follow the world with views of loops, islands, pieces and hashes, as\n"
-                "lgs check --views does, until a chunk leaves memory")
+                "lgs check --views does")
       ->needs(check);
   addEngineOptions(command, arguments->engine, check);
   command.add_option("--dump", arguments->dump, "Write the segments after the last commit; - is stdout")

@@ -156,7 +156,7 @@ class Replay:
     def search(self, shop: Workshop, program: Callable[[str], Path]) -> dict:
         seconds = 0.0
         for trace in sorted((shop.tree / "proptests/regressions").glob(f"{self.begin}*.trace")):
-            ran = run([program("lgs"), "replay", trace, "--check"], self.limit, memory="unlimited")
+            ran = run([program("lgs"), "replay", trace, "--check", "--views"], self.limit, memory="unlimited")
             seconds += ran.seconds
             if ran.status != 0:
                 return {"verdict": "time-out" if ran.timed_out else "found", "by": f"lgs replay {trace.name}",
