@@ -155,7 +155,7 @@ class Replay:
 
     def search(self, shop: Workshop, program: Callable[[str], Path]) -> dict:
         seconds = 0.0
-        for trace in sorted((shop.tree / "proptests/regressions").glob(f"{self.begin}*.trace")):
+        for trace in sorted((ROOT / "proptests/regressions").glob(f"{self.begin}*.trace")):
             ran = run([program("lgs"), "replay", trace, "--check", "--views"], self.limit, memory="unlimited")
             seconds += ran.seconds
             if ran.status != 0:
