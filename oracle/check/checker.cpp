@@ -100,6 +100,7 @@ class Check {
     if (!verdict.accepted) return refused(call, verdict, {call.line, "must be refused: " + printCall(call), {}});
     const bool isAdd = call.kind == Call::Kind::add;
     seen_.edited.insert(isAdd ? call.comes[0].cell : placed.standing().cellOf(call.name()));
+    isAdd ? static_cast<void>(seen_.added.insert(call.name())) : static_cast<void>(seen_.added.erase(call.name()));
     placed.play(call);
     return Found();
   }
@@ -131,6 +132,7 @@ class Check {
       if (auto found = ask([&](Law& law) { return law.nowAndThen(seen_); })) return found;
     }
     seen_.edited.clear();
+    seen_.added.clear();
     seen_.isAnywhere = false;
     stopped_ = options.afterCommit && !options.afterCommit(seen_.model());
     return std::nullopt;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "oracle/engine/capabilities.h"
+#include "oracle/engine/delta.h"
 #include "oracle/reference/island.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -60,6 +62,12 @@ class Engine {
 
   /// The islands of that commit, sorted, if it can put them out.
   virtual NamedIslands islands() const { return {}; }
+
+  /// What it told of that commit, if it tells what changed; outline() is the copy then.
+  virtual const Delta* delta() const { return nullptr; }
+
+  /// By its own clock, how long that commit took and the edits before it, if it says so.
+  virtual std::optional<std::chrono::nanoseconds> time() const { return std::nullopt; }
 
   /// Begins anew: more than reset() does, which may forget to forget something.
   virtual void restart() {}

@@ -57,6 +57,7 @@ void ProcessEngine::reset(const PreservePairs& preserve) {
   for (const auto& [a, b] : preserve.pairs()) unsent_ += fmt::format("preserve {} {}\n", a, b);
   outline_.clear();
   islands_.clear();
+  delta_.clear();
 }
 
 void ProcessEngine::add(const std::string& name, const ScenePolygon& polygon) {
@@ -86,6 +87,8 @@ Engine::Refusals ProcessEngine::commit() {
   std::sort(outline_.begin(), outline_.end());
   islands_ = std::move(reader.islands);
   std::sort(islands_.begin(), islands_.end());
+  delta_.take(std::move(reader.changes));
+  time_ = reader.time;
   return std::move(reader.refused);
 }
 

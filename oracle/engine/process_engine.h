@@ -30,8 +30,10 @@ class ProcessEngine : public Engine {
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
   Refusals commit() override;
-  Outline outline() const override { return outline_; }
+  Outline outline() const override { return can().delta ? delta_.outline() : outline_; }
   NamedIslands islands() const override { return islands_; }
+  const Delta* delta() const override { return can().delta ? &delta_ : nullptr; }
+  std::optional<std::chrono::nanoseconds> time() const override { return time_; }
   void restart() override { child_.reset(); }
   void hurry(bool isInHurry) override { isInHurry_ = isInHurry; }
   std::optional<Failure> finish() override;
@@ -50,6 +52,8 @@ class ProcessEngine : public Engine {
   std::string unsent_;
   Outline outline_;
   NamedIslands islands_;
+  Delta delta_;
+  std::optional<std::chrono::nanoseconds> time_;
   bool isInHurry_ = false;
   Clock::duration slowest_{};  // answer, starts included
 };
