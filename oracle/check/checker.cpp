@@ -1,6 +1,7 @@
 #include "oracle/check/checker.h"
 
 #include "oracle/check/law.h"
+#include "oracle/check/levels.h"
 #include "oracle/check/refusal.h"
 #include "oracle/trace/call_text.h"
 
@@ -38,8 +39,16 @@ class Check {
   template <class Ask>
   Found ask(Ask&& ask) {
     for (const auto& law : laws_)
-      if (auto found = ask(*law)) return found;
+      if (auto found = ask(*law); found && !takesAdvice(*found)) return found;
     return std::nullopt;
+  }
+
+  bool takesAdvice(const Mismatch& found) {
+    if (!isAdvice(found, seen_.options.recommended)) return false;
+    const LawSet broken = brokenBy(found);
+    if ((broken & ~advised_) != 0 && seen_.options.advise) seen_.options.advise(found);
+    advised_ |= broken;
+    return true;
   }
 
   tl::expected<Found, TraceError> play(const Call& call) {
@@ -143,6 +152,7 @@ class Check {
   std::vector<RefusedEdit> expected_;  // what must be refused since the last commit, and why
   bool pending_ = false;               // edits of another engine
   bool stopped_ = false;
+  LawSet advised_ = 0;  // what the engine was told of in this trace
 };
 
 }  // namespace

@@ -21,6 +21,9 @@
 
 namespace lgs::oracle {
 
+struct Mismatch;
+using LawSet = unsigned;  ///< bits, of levels.h
+
 struct CheckOptions {
   Engine* engine = nullptr;  ///< whom to check; null: this library's engine, and all that it shows
   bool naive = true;
@@ -44,6 +47,11 @@ struct CheckOptions {
 
   /// Called after each commit that was found right, with what stands then; false stops the check there.
   std::function<bool(const Model&)> afterCommit = {};
+
+  /// Laws that are a recommendation to another engine. What breaks no others is handed to `advise`, the first of each
+  /// in a trace, and the check goes on. There the engine must be left as it is.
+  LawSet recommended = 0;
+  std::function<void(const Mismatch&)> advise = {};
 };
 
 struct Mismatch {

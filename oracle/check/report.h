@@ -22,6 +22,9 @@ struct ReportOptions {
   bool views = false;       ///< views followed the world
 };
 
+/// Where a trace goes, without its ending: nothing that an earlier run found is replaced, but by the same.
+std::string freePlace(const std::string& first, const std::string& text);
+
 /// Writes a file; complains on the standard error if that does not work. Whether it did.
 bool writeOrComplain(const std::string& path, std::string_view content);
 

@@ -208,7 +208,7 @@ class CheckSurvey : public CheckReport {
     CheckReport::SetUp();
     std::filesystem::create_directories(path("report"));
   }
-  Survey survey(Engine* engine) const { return Survey({.engine = engine}, path("report"), "lgs check --all", 60s); }
+  Survey survey(Engine* engine) const { return Survey({.engine = engine}, {path("report"), "lgs check --all", 60s}); }
   static void add(Survey& survey, Engine& engine, const Trace& trace) {
     survey.add(must(findMismatch(trace, {.engine = &engine})), trace, {.edits = 12, .commits = 1});
   }

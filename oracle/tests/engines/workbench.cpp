@@ -33,8 +33,8 @@ std::string Workbench::naiveWith(const std::string& piece, const std::string& in
   return naiveWith({{piece, instead}});
 }
 
-std::string Workbench::naiveWith(const std::vector<std::pair<std::string, std::string>>& replaced) const {
-  std::string text = contentOf(LGS_SOURCE_DIR "/examples/engines/naive.py");
+std::string Workbench::exampleWith(const std::string& example, const Pieces& replaced) const {
+  std::string text = contentOf(LGS_SOURCE_DIR "/examples/engines/" + example);
   for (const auto& [piece, instead] : replaced) {
     const std::size_t at = text.find(piece);
     EXPECT_NE(at, std::string::npos) << piece;
