@@ -149,15 +149,13 @@ Status SurveyRun::fix() const {
 }
 
 void SurveyRun::print() const {
-  constexpr std::array kStates{"fault", "known", "advice"};
+  using State = Survey::State;
   for (const auto& [kind, entry] : survey_->kinds()) {
-    bool isFirst = true;
-    fmt::print("{}, {}:\n", kind, counted(entry.count, "time"));
-    for (const auto& [trace, text, state] : entry.findings) {
-      fmt::print("  {:<8} {}\n", kStates[static_cast<std::size_t>(state)], counted(editCount(trace), "edit"));
-      if (state == Survey::State::fault && std::exchange(isFirst, false))
-        fmt::print("\n{}\n{}\n", printTrace(trace), text);
-    }
+    const auto of = [&](State state) { return std::ranges::count(entry.findings, state, &Survey::Finding::state); };
+    fmt::print("{}, {}; of the smallest traces {} are a fault, {} known, {} advice\n", kind,
+               counted(entry.count, "time"), of(State::fault), of(State::known), of(State::advice));
+    const auto fault = std::ranges::find(entry.findings, State::fault, &Survey::Finding::state);
+    if (fault != entry.findings.end()) fmt::print("\n{}\n{}\n", printTrace(fault->trace), fault->text);
   }
   for (const auto& [kind, trace] : gone_)
     fmt::print("gone, and still in {} (--fix takes it out): {}\n\n{}\n", arguments_.survey.known, kind,
