@@ -85,6 +85,9 @@ Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine
     engine.restart();
     return findAgain(candidate);
   };
+  constexpr double kTimeouts = 4;  // a hang costs a few of them; whoever has more patience waits that much longer
+  if (found.kind == FaultKind::hang && kTimeouts * engine.timeout() < budget)
+    budget = std::chrono::duration_cast<std::chrono::milliseconds>(kTimeouts * engine.timeout());
   const Hurry hurry(engine, found.kind);
   Trace small = shrunk(found, trace, findAgain, budget);
   return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);

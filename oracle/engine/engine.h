@@ -75,6 +75,9 @@ class Engine {
   /// In a hurry the engine gets less time for an answer: a hang is looked for again and again.
   virtual void hurry(bool /*isInHurry*/) {}
 
+  /// What an answer may take, if anybody looks at the clock.
+  virtual std::chrono::duration<double> timeout() const { return std::chrono::duration<double>::max(); }
+
   /// Ends the engine. What goes wrong then, if anything does.
   virtual std::optional<Failure> finish() { return std::nullopt; }
 

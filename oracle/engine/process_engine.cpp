@@ -47,7 +47,7 @@ Child::Clock::duration ProcessEngine::patience() const {
   using namespace std::chrono_literals;
   constexpr int kTimes = 5;
   const auto timeout = std::chrono::duration_cast<Clock::duration>(options_.timeout);
-  return isInHurry_ ? std::min<Clock::duration>(timeout, std::max<Clock::duration>(200ms, kTimes * slowest_)) : timeout;
+  return isInHurry_ ? std::min<Clock::duration>(timeout, std::max<Clock::duration>(100ms, kTimes * slowest_)) : timeout;
 }
 
 void ProcessEngine::reset(const PreservePairs& preserve) {

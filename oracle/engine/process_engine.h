@@ -36,6 +36,7 @@ class ProcessEngine : public Engine {
   std::optional<std::chrono::nanoseconds> time() const override { return time_; }
   void restart() override { child_.reset(); }
   void hurry(bool isInHurry) override { isInHurry_ = isInHurry; }
+  std::chrono::duration<double> timeout() const override { return options_.timeout; }
   std::optional<Failure> finish() override;
 
  private:

@@ -9,7 +9,7 @@
 namespace lgs::oracle {
 namespace {
 
-constexpr std::int32_t U = kUnitsPerCell;
+using test::U;
 
 Trace parsed(const std::string& text) {
   ParsedTrace parsed = parseTrace(text);

@@ -270,7 +270,7 @@ TEST_F(CheckSurvey, SaysThatThereIsNothing) {
   ReferenceEngine engine(true, false);
   EXPECT_TRUE(survey(&engine).write({}));
   expectSaid(get("report/report.md"), "\n\nNo mismatch.\n");
-  EXPECT_FALSE(Survey({.engine = &engine}, path("nowhere"), "", 0s).write({}));
+  EXPECT_FALSE(Survey({.engine = &engine}, {path("nowhere"), "", 0s}).write({}));
 }
 
 }  // namespace
