@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <limits>
 
 namespace lgs::cli {
 
@@ -58,12 +59,14 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   std::optional<SurveyRun> survey;
   if (arguments.survey.isGiven) {
     survey.emplace(arguments, options);
+    options.advise = [&](const Mismatch& found) { survey->advise(found); };
     if (const Status bad = survey->playFirst(totals.stats); bad != Status::fine) return bad;
   }
   const std::uint64_t before = totals.stats.edits;
   std::uint64_t lost = 0;  // edits that were not made, because the engine gave no answer to some before them
   const auto left = [&]() -> std::uint64_t {
-    if (arguments.seconds) return totals.seconds() < *arguments.seconds ? arguments.world.edits : 0;
+    constexpr auto kMany = std::numeric_limits<std::uint64_t>::max();
+    if (arguments.seconds) return totals.seconds() < *arguments.seconds ? kMany : 0;
     return arguments.edits - std::min(arguments.edits, totals.stats.edits - before + lost);
   };
   for (at.number = arguments.onlyCase.value_or(0);; ++at.number) {
@@ -82,7 +85,6 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
       return true;
     };
     const std::uint64_t edits = totals.stats.edits, refused = totals.stats.refused;
-    if (survey) options.advise = [&](const Mismatch& found) { survey->advise(found); };
     const auto mismatch = checkTrace(checked.trace, options, totals.stats);
     if (!mismatch) return complain(message(mismatch.error(), fmt::format("case {}", at.number)));
     if (survey) survey->add(*mismatch, checked.trace, totals.stats);
