@@ -24,6 +24,7 @@ struct SurveyArguments {
   bool fix = false;    ///< write that file anew
   std::string replay;  ///< folder of what failed before
   std::string json, junit;
+  std::string laws;  ///< which are a recommendation
   bool isGiven = false;
 };
 

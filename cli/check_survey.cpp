@@ -21,10 +21,14 @@ namespace fs = std::filesystem;
 
 std::string again(const CheckArguments& arguments) {
   const std::string which = arguments.onlyCase ? fmt::format(" --case {}", *arguments.onlyCase) : "";
-  return fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}{} --oracle {} --report {}",
-                     commandAgain(arguments), arguments.world.width, arguments.world.height,
-                     arguments.world.edits, lengthOf(arguments), arguments.seed, which, arguments.oracleName(),
-                     shellPath(arguments.survey.report));
+  std::string text = fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}{} --oracle {} --report {}",
+                                 commandAgain(arguments), arguments.world.width,
+                                 arguments.world.height, arguments.world.edits, lengthOf(arguments), arguments.seed,
+                                 which, arguments.oracleName(), shellPath(arguments.survey.report));
+  const auto& survey = arguments.survey;
+  if (!survey.known.empty()) text += " --known " + shellPath(survey.known);
+  if (!survey.replay.empty()) text += " --replay " + shellPath(survey.replay);
+  return survey.laws.empty() ? text : text + " --laws " + shellWord(survey.laws);
 }
 
 }  // namespace
@@ -55,6 +59,7 @@ void addSurveyOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& 
             const auto laws = parseLaws(words);
             if (!laws) throw CLI::ValidationError("--laws", laws.error());
             arguments->options.recommended = *laws;
+            arguments->survey.laws = words;
             arguments->survey.isGiven = true;
           },
           "What is a recommendation, told and no fault: ghosts=should,\nblocks=, islands=, history= or "
@@ -170,7 +175,7 @@ Status SurveyRun::finish(const Totals& totals) {
   if (!survey_->write(totals.stats)) return Status::badInput;
   const Results results{options_.engine->name(), *survey_, totals.stats, totals.seconds(), gone_};
   Status status = Status::fine;
-  const auto& [report, known, fixes, replay, json, junit, isGiven] = arguments_.survey;
+  const auto& [report, known, fixes, replay, json, junit, laws, isGiven] = arguments_.survey;
   print();
   if (!json.empty()) status = worst(status, write(json, asJson(results)));
   if (!junit.empty()) status = worst(status, write(junit, asJUnit(results)));
