@@ -42,6 +42,7 @@ void takeSegments(void* to, const lgs_engine_segment* segments, std::size_t coun
 void takeChange(void* to, char sign, std::uint64_t id, const lgs_engine_segment* segment) {
   Answer& answer = *static_cast<Answer*>(to);
   OutlineSegment& taken = answer.changes.emplace_back(SegmentChange{sign, std::to_string(id)}).segment;
+  if (!answer.can.delta) answer.fault = "a change, and does not declare 'delta'";
   if (sign != '-' && sign != '+' && sign != '~') answer.fault = "a change that is not '-', '+' or '~'";
   if (sign == '-') return;
   if (segment == nullptr)
