@@ -44,7 +44,7 @@ class ProcessEngine : public Engine {
 
   explicit ProcessEngine(const ProcessOptions& options) : options_(options) {}
   std::optional<Failure> begin();
-  std::optional<Failure> ask(std::string_view text, const Child::Take& take);
+  std::optional<Failure> ask(std::string_view text, const Child::Take& take, Clock::duration patience);
   Clock::duration patience() const;
 
   ProcessOptions options_;
@@ -56,7 +56,7 @@ class ProcessEngine : public Engine {
   Delta delta_;
   std::optional<std::chrono::nanoseconds> time_;
   bool isInHurry_ = false;
-  Clock::duration slowest_{};  // answer, starts included
+  Clock::duration slowest_{};  // answer to a commit
 };
 
 }  // namespace lgs::oracle
