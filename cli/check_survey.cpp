@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 std::string again(const CheckArguments& arguments) {
   const std::string which = arguments.onlyCase ? fmt::format(" --case {}", *arguments.onlyCase) : "";
-  std::string text = fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}{} --oracle {} --report {}",
-                                 commandAgain(arguments), arguments.world.width,
-                                 arguments.world.height, arguments.world.edits, lengthOf(arguments), arguments.seed,
-                                 which, arguments.oracleName(), shellPath(arguments.survey.report));
+  std::string text =
+      fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}{} --oracle {} --report {}", commandAgain(arguments),
+                  arguments.world.width, arguments.world.height, arguments.world.edits, lengthOf(arguments),
+                  arguments.seed, which, arguments.oracleName(), shellPath(arguments.survey.report));
   const auto& survey = arguments.survey;
   if (!survey.known.empty()) text += " --known " + shellPath(survey.known);
   if (!survey.replay.empty()) text += " --replay " + shellPath(survey.replay);
