@@ -91,6 +91,17 @@ TEST_F(CheckReport, HasTheSmallestTraceAndWhereItIs) {
   expectSaid(page, "\"expectedName\":\"naive reference\"");
 }
 
+TEST_F(CheckReport, ReplacesNothingOfAnEarlierRun) {
+  Wrong engine([](Outline& o) { o.pop_back(); });
+  Trace other = fourSquares();
+  other.calls.insert(other.calls.begin(), square("more", {0, 3}));
+  for (const Trace& trace : {fourSquares(), other, fourSquares(), other}) reported(trace, {.engine = &engine}, to(0ms));
+  EXPECT_EQ(saved().calls.size(), 4U);
+  EXPECT_EQ(parseTrace(get("some where/found.2.trace")).trace.calls.size(), 3U);
+  for (const std::string name : {"found.2.svg", "found.2.html"}) EXPECT_NE(get("some where/" + name), "") << name;
+  EXPECT_FALSE(std::filesystem::exists(path("some where/found.3.trace"))) << "but by the same";
+}
+
 TEST_F(CheckReport, WithoutTimeHasTheTraceUpToTheMismatch) {
   Wrong engine([](Outline& o) { o.pop_back(); });
   const Trace trace = fourSquares();
