@@ -65,17 +65,6 @@ TEST_F(Command, BadUsageIsTwo) {
   }
 }
 
-TEST_F(Command, ReplaysAllTracesOfAFolder) {
-  fs::create_directories(folder_ / "f");
-  put("f/a.trace", kTwoSquares);
-  put("f/b.trace", kTwoSquares);
-  put("f/note.txt", "this is none");
-  expect("replay f --check", 0, "2 of 2 traces are fine\n");
-  put("f/c.trace", "lgs-trace 1\nmove\n");
-  expect("replay f --check", 2, "2 of 3 traces are fine\n");
-  expect("replay f --svg s.svg", 2, "take one trace, not 3");
-}
-
 TEST_F(Command, LostOutputIsTwo) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
   put("t", kTwoSquares);

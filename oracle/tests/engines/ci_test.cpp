@@ -65,6 +65,21 @@ TEST_F(Ci, WhatFailedIsKeptAndComesFirst) {
   expect(good(), "--replay kept", 2, "bad.trace:2");
 }
 
+TEST_F(Ci, AFolderIsReplayed) {
+  std::filesystem::create_directories(folder_ / "f");
+  for (const std::string name : {"f/a.trace", "f/b.trace"}) put(name, "lgs-trace 1\nadd a 0 0 1  0 0 1 0 1 1 0 1\n");
+  put("f/note.txt", "this is none");
+  const auto replay = [&](const std::string& arguments, int status, const std::string& part) {
+    const Outcome outcome = sh("lgs replay f " + arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.text;
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << outcome.text;
+  };
+  replay("--check --engine \"" + good() + "\"", 0, "2 of 2 traces are fine\n");
+  put("f/c.trace", "lgs-trace 1\nmove\n");
+  replay("--check", 2, "2 of 3 traces are fine\n");
+  replay("--svg s.svg", 2, "take one trace, not 3");
+}
+
 TEST_F(Ci, ARecommendationIsNoFault) {
   expect(wrongLink(), "--laws ghosts=should", 0, "wrong link, ");
   expect(wrongLink(), "--laws blocks=should", 1, "wrong link, ");
