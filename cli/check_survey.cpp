@@ -81,40 +81,45 @@ Status trySurveyFiles(const SurveyArguments& arguments) {
 SurveyRun::SurveyRun(const CheckArguments& arguments, const CheckOptions& options)
     : arguments_(arguments), options_(options) {}
 
-Status SurveyRun::playFirst(CheckStats& stats) {
+Status SurveyRun::readKnown() {
   const std::string& file = arguments_.survey.known;
-  if (!file.empty() && (!arguments_.survey.fix || fs::exists(file))) {
-    const auto text = readFile(file);
-    if (!text) return complain(message(text.error(), file));
-    auto known = parseKnown(*text);
-    if (!known) return complain(file + ":" + known.error());
-    known_ = std::move(*known);
-  }
+  if (file.empty() || (arguments_.survey.fix && !fs::exists(file))) return Status::fine;
+  const auto text = readFile(file);
+  if (!text) return complain(message(text.error(), file));
+  auto known = parseKnown(*text);
+  if (!known) return complain(file + ":" + known.error());
+  known_ = std::move(*known);
+  return Status::fine;
+}
+
+SurveyRun::Played SurveyRun::play(const Trace& trace, const std::string& where, CheckStats& stats) {
+  if (const std::string why = whyNot(trace, options_.engine->can()); !why.empty())
+    return tl::unexpected(complain(fmt::format("{}: the engine can not have it: {}", where, why)));
+  CheckOptions options = options_;
+  options.advise = [&](const Mismatch& found) { advise(found); };
+  auto found = checkTrace(trace, options, stats);
+  if (!found) return tl::unexpected(complain(message(found.error(), where)));
+  return std::move(*found);
+}
+
+Status SurveyRun::playFirst(CheckStats& stats) {
+  if (const Status bad = readKnown(); bad != Status::fine) return bad;
+  const auto& [known, replay] = std::tie(arguments_.survey.known, arguments_.survey.replay);
   constexpr std::uint64_t kFew = 3, kToTellApart = 10;
   survey_.emplace(options_, SurveyOptions{arguments_.survey.report, again(arguments_), shrinkTime(arguments_),
-                                          file.empty() ? kFew : kToTellApart, known_});
-  const auto play = [&](const Trace& trace, const std::string& where) -> tl::expected<std::optional<Mismatch>, Status> {
-    if (const std::string why = whyNot(trace, options_.engine->can()); !why.empty())
-      return tl::unexpected(complain(fmt::format("{}: the engine can not have it: {}", where, why)));
-    CheckOptions options = options_;
-    options.advise = [&](const Mismatch& found) { advise(found); };
-    auto found = checkTrace(trace, options, stats);
-    if (!found) return tl::unexpected(complain(message(found.error(), where)));
-    return std::move(*found);
-  };
+                                          known.empty() ? kFew : kToTellApart, known_});
   for (const KnownMismatch& one : known_) {
-    auto found = play(one.trace, file);
+    const auto found = play(one.trace, known, stats);
     if (!found) return found.error();
     const auto isIt = [&](const Mismatch& m) { return kindOfFinding(m, *options_.engine) == one.kind; };
     const bool isThere = (*found && isIt(**found)) || std::ranges::any_of(advised_, isIt);
     if (!isThere) gone_.push_back(one);
     isThere ? advised_.clear() : add(*found, one.trace, stats);
   }
-  if (arguments_.survey.replay.empty()) return Status::fine;
-  for (const std::string& name : tracesIn(arguments_.survey.replay)) {
-    const auto trace = readTrace(name);
-    if (!trace) return complain(message(trace.error(), name));
-    auto found = play(*trace, name);
+  for (const std::string& file : replay.empty() ? std::vector<std::string>() : tracesIn(replay)) {
+    const auto trace = readTrace(file);
+    if (!trace) return complain(message(trace.error(), file));
+    const auto found = play(*trace, file, stats);
     if (!found) return found.error();
     add(*found, *trace, stats);
     kept_.insert(identityOf({"", *trace}));

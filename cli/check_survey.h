@@ -34,8 +34,9 @@ class SurveyRun {
   Status finish(const Totals& totals);
 
  private:
-  tl::expected<oracle::Trace, std::string> playable(const std::string& file) const;
-  void playKnown(const oracle::KnownMismatch& known, oracle::CheckStats& stats);
+  using Played = tl::expected<std::optional<oracle::Mismatch>, Status>;
+  Status readKnown();
+  Played play(const oracle::Trace& trace, const std::string& where, oracle::CheckStats& stats);
   Status fix() const;
   Status keepFaults();
   void print() const;
