@@ -9,7 +9,10 @@
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <filesystem>
+#include <tuple>
+#include <utility>
 
 namespace lgs::cli {
 

@@ -4,7 +4,11 @@
 
 #include "cli/check_run.h"
 
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 namespace lgs::cli {

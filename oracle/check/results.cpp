@@ -3,7 +3,9 @@
 #include "oracle/page/page.h"
 
 #include <fmt/format.h>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace lgs::oracle {
 namespace {

@@ -60,9 +60,10 @@ void Survey::add(const Failure& failure) {
   constexpr std::array kKinds{"crash", "hang", "protocol"};
   const std::string kind = kKinds[static_cast<std::size_t>(failure.kind)];
   Entry& entry = kinds_[kind];
-  if (++entry.count > 1) return;
+  ++entry.count;
+  if (std::ranges::any_of(entry.findings, [](const Finding& one) { return one.trace.calls.empty(); })) return;
   entry.findings.emplace_back().text = inWords(failure);
-  keep(kind, {}, {drawWithoutEngine({}, kind), pageWithoutEngine({}, kind)});
+  if (entry.findings.size() == 1) keep(kind, {}, {drawWithoutEngine({}, kind), pageWithoutEngine({}, kind)});
 }
 
 void Survey::shrink(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace) {

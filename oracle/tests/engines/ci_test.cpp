@@ -49,6 +49,17 @@ TEST_F(Ci, WhatIsNotKnownIsAFault) {
   EXPECT_TRUE(get("list").starts_with("known wrong link")) << "without --fix it stays as it is";
 }
 
+// What an engine does at its end has no trace, so it can not be known.
+TEST_F(Ci, ABadEndIsAFault) {
+  const std::string crash = "len(polygons) == 2 and os._exit(3)", end = "\n\nmain()";
+  expect(naiveThat(crash), "--known list --fix", 0, "fixed      list: 0 gone, ");
+  expect(naiveThat(crash), "--known list", 0, "no mismatch that is not known");
+  const std::string line = "        elif word == \"commit\":\n";
+  const std::string both =
+      naiveWith({{line, line + "            import os\n            " + crash + "\n"}, {end, end + "\nsys.exit(4)"}});
+  expect(both, "--known list --fix", 1, "ended with status 4 at the end of its input");
+}
+
 TEST_F(Ci, WhatFailedIsKeptAndComesFirst) {
   const auto kept = [&] {
     return std::distance(std::filesystem::directory_iterator(folder_ / "kept"), std::filesystem::directory_iterator());
