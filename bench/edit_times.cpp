@@ -54,7 +54,8 @@ void run(Incremental& subject, const EditPlan& plan, EditTimes& times, const std
   times.back.reserve(plan.cells.size());
   const auto edit = [&](Times& taken, std::size_t cell, auto& work) {
     subject.find(cell);
-    taken.add(timeOf([&] { work(cell); }));
+    const Nanoseconds time = timeOf([&] { work(cell); });
+    taken.add(subject.ownTime().value_or(time));
     if (afterEdit) afterEdit();
   };
   for (std::size_t k = 0; k < plan.cells.size() + plan.lag; ++k) {

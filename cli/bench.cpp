@@ -1,5 +1,7 @@
 #include "bench/comparison.h"
+#include "bench/subjects/other_engine.h"
 #include "cli/command.h"
+#include "cli/engine.h"
 #include "cli/progress.h"
 
 #include <fmt/format.h>
@@ -19,7 +21,27 @@ struct BenchArguments {
   int rounds = 5;
   std::int32_t side = 100;
   bool all = false;
+  EngineArguments engine;
 };
+
+// What one edit costs an engine of others, beside this library's and full recompute.
+void runBesideOther(Comparison& comparison, const BenchArguments& arguments, const oracle::Capabilities& can) {
+  std::vector<std::string_view> everyone, editing;
+  for (const bench::SubjectInfo& info : bench::subjects()) {
+    const bool isOurs = info.name == "engine-polygons" || info.name == "engine-shapes";
+    if (info.isOther || isOurs || !info.isIncremental) everyone.push_back(info.name);
+    if (info.isOther || isOurs) editing.push_back(info.name);
+  }
+  const auto run = [&](const char* name, const std::string& size, const bench::Tiles& tiles) {
+    const std::string build = fmt::format("{}-{}", name, arguments.side);
+    comparison.build(build, tiles, everyone);
+    comparison.edit(size, tiles, editing);
+    comparison.recomputeInstead(build, "edit-" + size);
+  };
+  const std::int32_t side = arguments.side;
+  run("full", fmt::format("{}", side), bench::fullTiles({side, side}));
+  if (can.slants && !can.squares) run("ramp", fmt::format("ramp-{}", side), bench::rampTiles({side, side}));
+}
 
 void runScenarios(Comparison& comparison, const BenchArguments& arguments) {
   const auto namesOf = [](auto&& isWanted) {
@@ -109,14 +131,30 @@ void printReport(const Comparison& comparison, const BenchArguments& arguments) 
 
 Status run(const BenchArguments& arguments) {
   if (const Status bad = tryOutputs({arguments.json}); bad != Status::fine) return bad;
+  std::unique_ptr<oracle::Engine> started;
+  oracle::Engine* other = arguments.engine.loaded.get();
+  if (other == nullptr && arguments.engine.isGiven()) {
+    started = startEngine(arguments.engine);
+    if (!started) return Status::badInput;
+    other = started.get();
+  }
+  if (other != nullptr) {
+    if (other->can().cells < arguments.side)
+      return complain(fmt::format("lgs bench: the engine has cells within {} only; give a --side", other->can().cells));
+    bench::addSubject(other->name(), [other] { return std::make_unique<bench::OtherEngine>(*other); });
+  }
   Progress progress;
   Comparison comparison({arguments.rounds, arguments.all, [&](const std::string& what) {
                            if (progress.isDue()) progress.show(what);
                          }});
-  runScenarios(comparison, arguments);
+  other != nullptr ? runBesideOther(comparison, arguments, other->can()) : runScenarios(comparison, arguments);
   progress.wipe();
   if (arguments.json != "-") printReport(comparison, arguments);
+  if (other != nullptr && !other->can().time && arguments.json != "-")
+    fmt::print("{} does not tell its time: in its times are {}what it puts out, and reading that.\n", other->name(),
+               arguments.engine.loaded ? "" : "the pipe, ");
   const Status written = arguments.json.empty() ? Status::fine : write(arguments.json, toJson(comparison.rows()));
+  if (started) static_cast<void>(started->finish());
   return worst(written, comparison.agree() ? Status::fine : Status::mismatch);
 }
 
@@ -131,7 +169,11 @@ constexpr const char* kBenchHelp =
     "A time counts only if the subject comes to the same area and corners as the others; if one does not, the\n"
     "exit status is 1. Making the polygons is timed apart, in rows polygons-… of the JSON; only cgal's other rows\n"
     "include it. All times are of one core. Compare times of one run only.\n\n"
-    "Example: lgs bench --json bench.json";
+    "AN ENGINE OF YOUR OWN (--engine) builds and edits the same worlds, beside this library and full recompute. With\n"
+    "the capability 'time' it prints a line 'time NANOSECONDS' before 'end': what the edits since the last commit\n"
+    "and this one took by its own clock, without reading and printing. If it is slow, all make fewer edits.\n\n"
+    "Examples: lgs bench --json bench.json\n"
+    "          lgs bench --engine 'python3 my_engine.py' --side 30";
 
 }  // namespace
 
@@ -156,8 +198,12 @@ void addBench(CLI::App& app, Action& chosen) {
   command.add_flag(
       "--all", arguments->all,
       "Run also what takes long: Boost.Geometry on ramps, and the\npublished algorithm in the larger worlds");
+  addEngineOptions(command, arguments->engine);
   command.footer(kBenchHelp);
-  command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &chosen] {
+    arguments->engine.prepare();
+    chosen = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace lgs::cli

@@ -1,4 +1,5 @@
 #include "cli/check_run.h"
+#include "cli/check_survey.h"
 #include "oracle/check/isolated.h"
 
 #include <fmt/format.h>
@@ -51,10 +52,15 @@ void readSize(const std::string& text, oracle::GeneratorOptions& options) {
 }
 
 void addEditOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& arguments) {
-  addWholeNumber(
-      command, "--edits", [arguments](std::uint64_t n) { arguments->edits = n; }, {1, 1'000'000'000},
-      "How many edits, in all cases together; default 20000")
-      ->option_text("N");
+  CLI::Option* const edits = addWholeNumber(
+                                 command, "--edits", [arguments](std::uint64_t n) { arguments->edits = n; },
+                                 {1, 1'000'000'000}, "How many edits, in all cases together; default 20000")
+                                 ->option_text("N");
+  addReal(
+      command, "--time", [arguments](double seconds) { arguments->seconds = seconds; }, {0, 1e6},
+      "How long it runs, instead; the last case is made to its end")
+      ->option_text("SECONDS")
+      ->excludes(edits);
   addWholeNumber(
       command, "--seed", [arguments](std::uint64_t n) { arguments->seed = n; }, {},
       "The same seed gives the same edits everywhere; default 1")
@@ -93,7 +99,8 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
           ->excludes(onlyCase)
           ->excludes(brushes)
           ->excludes(views)
-          ->excludes(caseEdits);
+          ->excludes(caseEdits)
+          ->excludes("--time");
   addWholeNumber(
       command, "--whole-every", [arguments](std::uint64_t n) { arguments->options.wholeEvery = n; }, {},
       "With --map: compare the whole world after every K-th commit,\n"
@@ -111,15 +118,6 @@ void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
       ->option_text("SECONDS");
   command.add_option("--svg", arguments.svg, "Draw the last world to this file, if there is no mismatch")
       ->option_text("FILE");
-}
-
-void addReportOption(CLI::App& command, CheckArguments& arguments) {
-  command
-      .add_option("--report", arguments.report,
-                  "With an engine: go on after a mismatch, and write a report of\n"
-                  "all kinds with their smallest traces to this folder")
-      ->option_text("DIR")
-      ->excludes("--map");
 }
 
 Status check(const CheckArguments& arguments) {
@@ -157,14 +155,9 @@ Status checkQuickly(const CheckArguments& arguments) {
 
 Status run(const CheckArguments& arguments) {
   if (const Status bad = tryFiles(arguments); bad != Status::fine) return bad;
-  if (!arguments.report.empty()) {
-    std::error_code ignored;  // the trial will say what is wrong
-    fs::create_directories(arguments.report, ignored);
-    if (const Status bad = tryOutputs({(fs::path(arguments.report) / "report.md").string()}); bad != Status::fine)
-      return bad;
-  }
+  if (const Status bad = trySurveyFiles(arguments.survey); bad != Status::fine) return bad;
   if (!arguments.engine.isGiven()) return check(arguments);
-  return arguments.engine.loaded && arguments.report.empty() ? checkQuickly(arguments) : checkApart(arguments);
+  return arguments.engine.loaded && !arguments.survey.isGiven ? checkQuickly(arguments) : checkApart(arguments);
 }
 
 constexpr const char* kCheckHelp =
@@ -202,15 +195,16 @@ void addCheck(CLI::App& app, Action& chosen) {
   addWorldOptions(command, arguments);
   addOutputOptions(command, *arguments);
   addEngineOptions(command, arguments->engine);
-  addReportOption(command, *arguments);
+  addSurveyOptions(command, arguments);
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &chosen] {
     arguments->engine.prepare();
+    if (arguments->survey.isGiven && arguments->survey.report.empty()) arguments->survey.report = arguments->out;
     if (arguments->options.views && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
-    if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
+    if (arguments->survey.isGiven && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
     chosen = [arguments] { return run(*arguments); };
   });
 }

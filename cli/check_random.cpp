@@ -1,4 +1,5 @@
 #include "cli/check_run.h"
+#include "cli/check_survey.h"
 #include "cli/progress.h"
 #include "oracle/calls/random.h"
 #include "oracle/check/isolated.h"
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <limits>
 
 namespace lgs::cli {
 
@@ -43,18 +45,9 @@ Checked caseOf(const CheckArguments& arguments, const Case& at) {
           areFollowed};
 }
 
-// A report has what went wrong at the end, too.
-Status endOf(const CheckArguments& arguments, Survey& survey, const CheckStats& stats) {
-  if (const auto failure = arguments.options.engine->finish()) {
-    tell(*failure, stdout);
-    survey.add(*failure);
-  }
-  return finishSurvey(arguments, survey, stats);
-}
-
 void show(Progress& progress, const CheckArguments& arguments, const Totals& totals, bool isWrong) {
   if (!progress.isDue()) return;
-  progress.show(fmt::format("{} of {} edits, {} cases, {:.0f} edits/s, {}", totals.stats.edits, arguments.edits,
+  progress.show(fmt::format("{} edits of{}, {} cases, {:.0f} edits/s, {}", totals.stats.edits, lengthOf(arguments),
                             totals.cases.cases, static_cast<double>(totals.stats.edits) / totals.seconds(),
                             isWrong ? "mismatches" : "no mismatch"));
 }
@@ -63,15 +56,22 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   Totals totals;
   Scene last;
   Progress progress;
-  std::optional<Survey> survey;
-  if (!arguments.report.empty()) survey.emplace(surveyFor(arguments));
+  std::optional<SurveyRun> survey;
+  if (arguments.survey.isGiven) {
+    survey.emplace(arguments, options);
+    options.advise = [&](const Mismatch& found) { survey->advise(found); };
+    if (const Status bad = survey->playFirst(totals.stats); bad != Status::fine) return bad;
+  }
+  const std::uint64_t before = totals.stats.edits;
   std::uint64_t lost = 0;  // edits that were not made, because the engine gave no answer to some before them
-  const auto isLast = [&] { return arguments.onlyCase || totals.stats.edits + lost >= arguments.edits; };
+  const auto left = [&]() -> std::uint64_t {
+    constexpr auto kMany = std::numeric_limits<std::uint64_t>::max();
+    if (arguments.seconds) return totals.seconds() < *arguments.seconds ? kMany : 0;
+    return arguments.edits - std::min(arguments.edits, totals.stats.edits - before + lost);
+  };
   for (at.number = arguments.onlyCase.value_or(0);; ++at.number) {
     at.edits = arguments.world.edits;
-    if (!arguments.onlyCase)
-      at.edits =
-          std::min<std::size_t>(editsOf(at.number, arguments.world), arguments.edits - totals.stats.edits - lost);
+    if (!arguments.onlyCase) at.edits = std::min<std::size_t>(editsOf(at.number, arguments.world), left());
     stillAlive();
     const Checked checked = caseOf(arguments, at);
     options.views = checked.areFollowed;
@@ -87,8 +87,8 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     const std::uint64_t edits = totals.stats.edits, refused = totals.stats.refused;
     const auto mismatch = checkTrace(checked.trace, options, totals.stats);
     if (!mismatch) return complain(message(mismatch.error(), fmt::format("case {}", at.number)));
+    if (survey) survey->add(*mismatch, checked.trace, totals.stats);
     if (*mismatch && survey) {
-      survey->add(**mismatch, checked.trace, totals.stats);
       lost += (*mismatch)->isNoAnswer() ? at.edits - (totals.stats.edits - edits) : 0;
     } else if (*mismatch) {
       progress.wipe();
@@ -97,11 +97,11 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     }
     features[static_cast<std::size_t>(Feature::refusal)] = totals.stats.refused != refused;
     totals.cases.add(features);
-    show(progress, arguments, totals, survey && !survey->isEmpty());
-    if (isLast()) break;
+    show(progress, arguments, totals, survey && survey->hasFound());
+    if (arguments.onlyCase || left() == 0) break;
   }
   progress.wipe();
-  return survey ? endOf(arguments, *survey, totals.stats) : finish(arguments, totals, last);
+  return survey ? survey->finish(totals) : finish(arguments, totals, last);
 }
 
 }  // namespace

@@ -54,20 +54,9 @@ CheckOptions caseOptions(const CheckArguments& arguments) {
   return options;
 }
 
-Survey surveyFor(const CheckArguments& arguments) {
-  const std::string which = arguments.onlyCase ? fmt::format(" --case {}", *arguments.onlyCase) : "";
-  const std::string again =
-      fmt::format("{} --cells {}x{} --case-edits {} --edits {} --seed {}{} --oracle {} --report {}",
-                  commandAgain(arguments), arguments.world.width, arguments.world.height, arguments.world.edits,
-                  arguments.edits, arguments.seed, which, arguments.oracleName(), shellPath(arguments.report));
-  return {caseOptions(arguments), arguments.report, again, shrinkTime(arguments)};
-}
-
-Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const CheckStats& stats) {
-  if (!survey.write(stats)) return Status::badInput;
-  fmt::print("{}\nreport     {}/report.md, report.html\n",
-             survey.isEmpty() ? "no mismatch" : "MISMATCHES of some kinds", arguments.report);
-  return survey.isEmpty() ? Status::fine : Status::mismatch;
+std::string lengthOf(const CheckArguments& arguments) {
+  return arguments.seconds ? fmt::format(" --time {}", *arguments.seconds)
+                           : fmt::format(" --edits {}", arguments.edits);
 }
 
 // The command of an engine may mean files of this folder.

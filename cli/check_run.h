@@ -17,6 +17,17 @@
 
 namespace lgs::cli {
 
+/// What belongs to a run that goes on after a mismatch. If none of it is given, the first mismatch ends the run.
+struct SurveyArguments {
+  std::string report;  ///< folder of a report on the whole engine; by default that of CheckArguments::out
+  std::string known;   ///< file of what is known
+  bool fix = false;    ///< write that file anew
+  std::string replay;  ///< folder of what failed before
+  std::string json, junit;
+  std::string laws;  ///< which are a recommendation
+  bool isGiven = false;
+};
+
 struct CheckArguments {
   oracle::GeneratorOptions world{.width = 4, .height = 4, .edits = 100, .isOfCalls = true};
   std::size_t edits = 20'000;
@@ -25,7 +36,8 @@ struct CheckArguments {
   std::string map;
   std::string out = "out";
   std::string svg;
-  std::string report;  ///< folder of a report on the whole engine; empty: the first mismatch ends the run
+  std::optional<double> seconds;  ///< how long it runs, instead of `edits`
+  SurveyArguments survey;
   double shrinkSeconds = 20;
   oracle::CheckOptions options;
   EngineArguments engine;
@@ -56,11 +68,8 @@ std::chrono::milliseconds shrinkTime(const CheckArguments& arguments);
 /// How random worlds are checked.
 oracle::CheckOptions caseOptions(const CheckArguments& arguments);
 
-/// An empty report on the engine.
-oracle::Survey surveyFor(const CheckArguments& arguments);
-
-/// Writes the report, and says where it is.
-Status finishSurvey(const CheckArguments& arguments, const oracle::Survey& survey, const oracle::CheckStats& stats);
+/// " --edits 20000", or " --time 60".
+std::string lengthOf(const CheckArguments& arguments);
 
 /// How to report a mismatch in this trace.
 oracle::ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked);

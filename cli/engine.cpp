@@ -107,6 +107,7 @@ const char* const kEngineHelp =
     "  remove NAME                        nothing\n"
     "  commit                             'refused NAME REASON' for each refused edit; the whole outline as lines\n"
     "                                     of a dump, in any order; 'island X Y AREA2' for each island; then 'end'\n"
+    "                                     (or what changed: '- ID', '+ ID segment ...', '~ ID segment ...')\n"
     "  the end of its input               nothing, and ends with status 0\n"
     "It flushes after each answer. Lines that begin with # are comments. Capabilities say what it can, and only\n"
     "that is asked of it:\n"
@@ -114,6 +115,7 @@ const char* const kEngineHelp =
     "  slants             edges of any direction     preserve   a preserve relation\n"
     "  refuses            it refuses bad edits       squares    (only) whole squares\n"
     "  islands            it names islands           merged     it joins collinear neighbours\n"
+    "  delta              it tells what changed      time       it prints 'time NANOSECONDS', for lgs bench\n"
     "  lattice=N          (only) coordinates in 1/N cell        cells=N  (only) cells within ±N\n"
     "Which edits it refuses is compared, not its reasons; and its outline. A wrong line, a late answer, an end or\n"
     "a crash is a mismatch like any other.";

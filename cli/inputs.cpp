@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 #include <lgs/world.h>
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <span>
 
@@ -61,6 +63,15 @@ tl::expected<oracle::Trace, std::string> readWorld(const std::string& path) {
   auto trace = oracle::readTrace(path);
   if (!trace) return tl::unexpected(message(trace.error(), path));
   return std::move(*trace);
+}
+
+std::vector<std::string> tracesIn(const std::string& folder) {
+  std::vector<std::string> traces;
+  std::error_code ignored;  // reading one will say what is wrong
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".trace") traces.push_back(entry.path().string());
+  std::ranges::sort(traces);
+  return traces;
 }
 
 CLI::Option* addOracleOption(CLI::App& command, oracle::CheckOptions& options) {

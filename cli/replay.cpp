@@ -120,11 +120,8 @@ tl::expected<std::vector<std::string>, std::string> filesOf(const std::vector<st
       files.push_back(world);
       continue;
     }
-    std::vector<std::string> traces;
-    for (const auto& entry : fs::directory_iterator(world, ignored))
-      if (entry.path().extension() == ".trace") traces.push_back(entry.path().string());
+    const std::vector<std::string> traces = tracesIn(world);
     if (traces.empty()) return tl::unexpected(world + ": there is no .trace in this folder");
-    std::ranges::sort(traces);
     files.insert(files.end(), traces.begin(), traces.end());
   }
   return files;

@@ -16,8 +16,8 @@ struct Entry {
   std::function<Made()> make;
 };
 
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{
+std::vector<Entry>& entries() {
+  static std::vector<Entry> all{
       {{"published-port", true}, makePublishedPort},
       {{"published-port-new-sets", true}, makePublishedPortWithNewSets},
       {{"published-arrays", true}, makePublishedArrays},
@@ -50,13 +50,14 @@ const std::vector<Entry>& entries() {
 
 }  // namespace
 
-const std::vector<SubjectInfo>& subjects() {
-  static const std::vector<SubjectInfo> all = [] {
-    std::vector<SubjectInfo> infos;
-    for (const Entry& entry : entries()) infos.push_back(entry.info);
-    return infos;
-  }();
-  return all;
+std::vector<SubjectInfo> subjects() {
+  std::vector<SubjectInfo> infos;
+  for (const Entry& entry : entries()) infos.push_back(entry.info);
+  return infos;
+}
+
+void addSubject(std::string_view name, std::function<std::unique_ptr<Subject>()> make) {
+  entries().push_back({{name, true, true}, [make = std::move(make)]() -> Made { return make(); }});
 }
 
 tl::expected<std::unique_ptr<Subject>, std::string> makeSubject(std::string_view name) {

@@ -7,10 +7,13 @@
 
 #include "bench/boundary.h"
 #include "bench/tiles.h"
+#include "bench/times.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -31,6 +34,9 @@ class Subject {
   virtual bool build() = 0;
 
   virtual Edges edges() const = 0;  ///< called only if build() was true
+
+  /// By its own clock, what the last build or edit took: instead of what is measured from outside.
+  virtual std::optional<Nanoseconds> ownTime() const { return std::nullopt; }
 };
 
 /// A subject that keeps its boundary up to date. Every edit ends with its commit. Cells are numbered as in Tiles.
@@ -46,10 +52,14 @@ class Incremental : public Subject {
 struct SubjectInfo {
   std::string_view name;
   bool isIncremental;
+  bool isOther = false;  ///< an engine of others, which may be slow: few edits are made
 };
 
 /// In the order of tables: the published port and the engine first, then those that recompute the world.
-const std::vector<SubjectInfo>& subjects();
+std::vector<SubjectInfo> subjects();
+
+/// Adds an incremental one at the end, an engine of others. The name must outlive all subjects.
+void addSubject(std::string_view name, std::function<std::unique_ptr<Subject>()> make);
 
 /// A new subject, or the reason why there is none.
 tl::expected<std::unique_ptr<Subject>, std::string> makeSubject(std::string_view name);

@@ -42,8 +42,8 @@ COMMANDS = {
     "ride": [str(WORLD), "--steps", "3"],
 }
 WITH_MAP = ["--map", str(MAP)]
-NEEDS = {"--engine-timeout": ["--engine", "true"], "--assume": ["--engine", "true"], "--report": ["--engine", "true"],
-         "--whole-every": WITH_MAP}
+OF_ENGINES = ["--engine-timeout", "--assume", "--report", "--known", "--replay", "--json", "--junit", "--laws"]
+NEEDS = {option: ["--engine", "true"] for option in OF_ENGINES} | {"--whole-every": WITH_MAP}
 
 
 def run(lgs, arguments, folder):
@@ -79,7 +79,7 @@ def answers(option, kind, value):
     """The statuses that are right."""
     if kind in REALS | WHOLES and value in NO_NUMBERS:
         return {2}
-    if option in ENGINES | set(NEEDS) - {"--whole-every"}:
+    if option in ENGINES | set(OF_ENGINES):
         return {0, 1, 2}
     return {0, 2}
 

@@ -21,7 +21,6 @@ struct Engine {
   bool isNew = true;  // the preserve relation may still grow
   std::unordered_map<std::string, lgs::PolygonHandle> handles;
   std::vector<Refused> refused;
-  std::vector<lgs_engine_segment> segments;
 
   // A world has its relation from the start, so it is made by the first edit.
   lgs::World& edited() {
@@ -76,20 +75,22 @@ void commit(void* self, const lgs_engine_answer* answer) {
   Engine& engine = engineOf(self);
   for (const Refused& edit : std::exchange(engine.refused, {}))
     answer->refused(answer->to, edit.name.c_str(), edit.reason.c_str());
-  lgs::World& world = engine.edited();
-  world.commit();
-  engine.segments.clear();
-  for (const lgs::SegmentId id : world.segments()) {
+  const lgs::World& world = engine.edited();
+  const lgs::Changes& changes = engine.world.commit();
+  const auto tell = [&](char sign, lgs::SegmentId id) {
     const lgs::Segment s = *world.segment(id);
     const std::uint32_t missing = (s.predecessor ? 0U : 1U) | (s.successor ? 0U : 2U);
-    engine.segments.push_back({{s.start.x, s.start.y},
-                               {s.end.x, s.end.y},
-                               {s.ghost1.x, s.ghost1.y},
-                               {s.ghost2.x, s.ghost2.y},
-                               s.block,
-                               missing});
-  }
-  answer->segments(answer->to, engine.segments.data(), engine.segments.size());
+    const lgs_engine_segment told{{s.start.x, s.start.y},
+                                  {s.end.x, s.end.y},
+                                  {s.ghost1.x, s.ghost1.y},
+                                  {s.ghost2.x, s.ghost2.y},
+                                  s.block,
+                                  missing};
+    answer->changed(answer->to, sign, id.value, &told);
+  };
+  for (const lgs::SegmentId id : changes.removed) answer->changed(answer->to, '-', id.value, nullptr);
+  for (const lgs::SegmentId id : changes.added) tell('+', id);
+  for (const lgs::SegmentId id : changes.relinked) tell('~', id);
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ void commit(void* self, const lgs_engine_answer* answer) {
 extern "C" const lgs_engine_table* lgs_engine() {
   static const lgs_engine_table kTable{LGS_ENGINE_VERSION,
                                        "LocalGridSeg",
-                                       "ghosts blocks several slants preserve refuses",
+                                       "ghosts blocks several slants preserve refuses delta",
                                        create,
                                        destroy,
                                        reset,

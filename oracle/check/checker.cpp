@@ -1,6 +1,7 @@
 #include "oracle/check/checker.h"
 
 #include "oracle/check/law.h"
+#include "oracle/check/levels.h"
 #include "oracle/check/refusal.h"
 #include "oracle/trace/call_text.h"
 
@@ -38,8 +39,16 @@ class Check {
   template <class Ask>
   Found ask(Ask&& ask) {
     for (const auto& law : laws_)
-      if (auto found = ask(*law)) return found;
+      if (auto found = ask(*law); found && !takesAdvice(*found)) return found;
     return std::nullopt;
+  }
+
+  bool takesAdvice(const Mismatch& found) {
+    if (!isAdvice(found, seen_.options.recommended)) return false;
+    const LawSet broken = brokenBy(found);
+    if ((broken & ~advised_) != 0 && seen_.options.advise) seen_.options.advise(found);
+    advised_ |= broken;
+    return true;
   }
 
   tl::expected<Found, TraceError> play(const Call& call) {
@@ -100,6 +109,7 @@ class Check {
     if (!verdict.accepted) return refused(call, verdict, {call.line, "must be refused: " + printCall(call), {}});
     const bool isAdd = call.kind == Call::Kind::add;
     seen_.edited.insert(isAdd ? call.comes[0].cell : placed.standing().cellOf(call.name()));
+    isAdd ? static_cast<void>(seen_.added.insert(call.name())) : static_cast<void>(seen_.added.erase(call.name()));
     placed.play(call);
     return Found();
   }
@@ -131,6 +141,7 @@ class Check {
       if (auto found = ask([&](Law& law) { return law.nowAndThen(seen_); })) return found;
     }
     seen_.edited.clear();
+    seen_.added.clear();
     seen_.isAnywhere = false;
     stopped_ = options.afterCommit && !options.afterCommit(seen_.model());
     return std::nullopt;
@@ -141,6 +152,7 @@ class Check {
   std::vector<RefusedEdit> expected_;  // what must be refused since the last commit, and why
   bool pending_ = false;               // edits of another engine
   bool stopped_ = false;
+  LawSet advised_ = 0;  // what the engine was told of in this trace
 };
 
 }  // namespace

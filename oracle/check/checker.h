@@ -21,6 +21,9 @@
 
 namespace lgs::oracle {
 
+struct Mismatch;
+using LawSet = unsigned;  ///< bits, of levels.h
+
 struct CheckOptions {
   Engine* engine = nullptr;  ///< whom to check; null: this library's engine, and all that it shows
   bool naive = true;
@@ -44,6 +47,11 @@ struct CheckOptions {
 
   /// Called after each commit that was found right, with what stands then; false stops the check there.
   std::function<bool(const Model&)> afterCommit = {};
+
+  /// Laws that are a recommendation to another engine. What breaks no others is handed to `advise`, the first of each
+  /// in a trace, and the check goes on. There the engine must be left as it is.
+  LawSet recommended = 0;
+  std::function<void(const Mismatch&)> advise = {};
 };
 
 struct Mismatch {
@@ -51,6 +59,7 @@ struct Mismatch {
     verdict,   ///< the engine accepts what is bad, refuses what is good, or says another reason
     refusal,   ///< a refused edit changed something
     changes,   ///< a change list is wrong
+    needless,  ///< a change list tells of what did not change
     reading,   ///< the world's queries contradict each other or the edits
     naive,     ///< another outline than the naive reference's
     cgal,      ///< another outline than CGAL's

@@ -52,6 +52,12 @@ std::string kindOfFinding(const Mismatch& mismatch, Engine& engine) {
       return "refusal";
     case Mismatch::Kind::history:
       return "order of edits matters";
+    case Mismatch::Kind::changes:
+      return "wrong id";
+    case Mismatch::Kind::needless:
+      return "needless change";
+    case Mismatch::Kind::views:
+      return "wrong island";
     default:
       break;
   }

@@ -8,7 +8,7 @@
 namespace lgs::oracle {
 
 /// In a few words: "missing cut", "uncancelled edge", "lost preserve", "wrong link", "stale ghost", "wrong block",
-/// "order of edits matters", "other segments", "refusal", "crash", "hang" or "protocol". To find out whether the past
+/// "order of edits matters", "other segments", "wrong id", "needless change", "wrong island", "refusal", "crash", "hang" or "protocol". To find out whether the past
 /// matters the engine builds the world anew, so whatever it holds is gone.
 std::string kindOfFinding(const Mismatch& mismatch, Engine& engine);
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,11 @@ class Seen {
   LibraryEngine own;
   LibraryEngine* const library;  ///< null, if another engine is checked
   Engine& engine;
-  Model placed;             ///< in another engine
-  CellSet edited;           ///< since the last commit, by calls that are edits
-  bool isAnywhere = false;  ///< other cells may have changed since, too
-  std::size_t edits = 0;    ///< calls of the trace that were played
+  Model placed;                 ///< in another engine
+  std::set<std::string> added;  ///< to another engine since the last commit, and still there
+  CellSet edited;               ///< since the last commit, by calls that are edits
+  bool isAnywhere = false;      ///< other cells may have changed since, too
+  std::size_t edits = 0;        ///< calls of the trace that were played
   std::size_t commits = 0;
   bool isWhole = false;  ///< after this commit the whole world is compared
   bool wasAway = false;  ///< some chunks are not in memory, or were not

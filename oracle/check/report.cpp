@@ -21,6 +21,7 @@ using FaultKind = Mismatch::Kind;
 // What is needed to find a mismatch of this kind again, and no more: it is asked many times.
 CheckOptions only(FaultKind kind, CheckOptions options) {
   options.afterCommit = {};
+  options.advise = {};
   options.naive = options.naive && (kind == FaultKind::naive || kind == FaultKind::loops);
   if (kind == FaultKind::reading) options.questions = 40;
   options.cgal = options.cgal && (kind == FaultKind::cgal || kind == FaultKind::loops || kind == FaultKind::rounding);
@@ -49,24 +50,12 @@ class Hurry {
   Engine& engine_;
 };
 
-// Where the files of a finding go: nothing that an earlier run found is replaced, but by the same.
-std::string freePlace(const ReportOptions& report, const std::string& text) {
-  constexpr int kMost = 1'000;
-  const std::string first = (std::filesystem::path(report.folder) / report.name).string();
-  std::string base = first;
-  for (int k = 2; k < kMost; ++k, base = fmt::format("{}.{}", first, k)) {
-    const auto there = readFile(base + ".trace");
-    if (!there || *there == text) break;
-  }
-  return base;
-}
-
 // Writes trace, picture and page, and says where they are and how to come by them again.
 void save(const Trace& trace, const Views& views, const ReportOptions& report, bool replays) {
   std::error_code ignored;  // writing will say what is wrong
   std::filesystem::create_directories(report.folder, ignored);
   const std::string text = printTrace(trace, report.reproduce);
-  const std::string base = freePlace(report, text);
+  const std::string base = freePlace((std::filesystem::path(report.folder) / report.name).string(), text);
   const bool traceWritten = writeOrComplain(base + ".trace", text);
   const bool pageWritten = writeOrComplain(base + ".html", views.page);
   const bool written = writeOrComplain(base + ".svg", views.picture) && pageWritten && traceWritten;
@@ -96,6 +85,9 @@ Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine
     engine.restart();
     return findAgain(candidate);
   };
+  constexpr double kTimeouts = 4;  // a hang costs a few of them; whoever has more patience waits that much longer
+  if (found.kind == FaultKind::hang && kTimeouts * engine.timeout() < budget)
+    budget = std::chrono::duration_cast<std::chrono::milliseconds>(kTimeouts * engine.timeout());
   const Hurry hurry(engine, found.kind);
   Trace small = shrunk(found, trace, findAgain, budget);
   return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
@@ -107,6 +99,17 @@ FindAgain sameKind(FaultKind kind, const CheckOptions& options) {
     auto again = findMismatch(candidate, narrow);
     return again && again->kind == kind ? std::move(again) : std::nullopt;
   };
+}
+
+std::string freePlace(const std::string& first, const std::string& text) {
+  constexpr int kMost = 1'000;
+  std::string base = first;
+  for (int k = 2; k < kMost; ++k) {
+    const auto there = readFile(base + ".trace");
+    if (!there || *there == text) break;
+    base = fmt::format("{}.{}", first, k);
+  }
+  return base;
 }
 
 bool writeOrComplain(const std::string& path, std::string_view content) {

@@ -22,6 +22,9 @@ struct ReportOptions {
   bool views = false;       ///< views followed the world
 };
 
+/// Where a trace goes, without its ending: nothing that an earlier run found is replaced, but by the same.
+std::string freePlace(const std::string& first, const std::string& text);
+
 /// Writes a file; complains on the standard error if that does not work. Whether it did.
 bool writeOrComplain(const std::string& path, std::string_view content);
 
@@ -32,7 +35,7 @@ using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
 FindAgain sameKind(Mismatch::Kind kind, const CheckOptions& options);
 
 /// Shrinks with an engine that lives on from trial to trial. What is left must fail in a new one; if it does not, the
-/// engine keeps something over a reset, and each trial gets a new one.
+/// engine keeps something over a reset, and each trial gets a new one. A hang is shrunk for four time-outs at most.
 Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
                        std::chrono::milliseconds budget);
 

@@ -20,24 +20,6 @@ void forEachCall(std::vector<Call>& calls, Visit visit) {
   }
 }
 
-// Every polygon with a name gets one of its own, p1, p2, … in order; so an add can go without touching another's
-// removal.
-Trace renamed(Trace trace) {
-  std::map<std::string, std::string> nameOf;
-  std::size_t count = 0;
-  forEachCall(trace.calls, [&](Call& call) {
-    for (Named& named : call.goes)
-      if (named.how == Named::How::name && nameOf.contains(named.name)) named.name = nameOf[named.name];
-    for (Coming& coming : call.comes)
-      for (std::string& name : coming.names) {
-        std::string next = fmt::format("p{}", ++count);
-        nameOf[name] = next;
-        name = std::move(next);
-      }
-  });
-  return trace;
-}
-
 // The blocks of a call that it gives to something.
 std::vector<Block*> blocksOf(Call& call) {
   std::vector<Block*> blocks;
@@ -77,6 +59,24 @@ std::vector<Call> formsOf(const Call& call, std::size_t at) {
 }
 
 }  // namespace
+
+// Every polygon with a name gets one of its own, p1, p2, … in order; so an add can go without touching another's
+// removal.
+Trace renamed(Trace trace) {
+  std::map<std::string, std::string> nameOf;
+  std::size_t count = 0;
+  forEachCall(trace.calls, [&](Call& call) {
+    for (Named& named : call.goes)
+      if (named.how == Named::How::name && nameOf.contains(named.name)) named.name = nameOf[named.name];
+    for (Coming& coming : call.comes)
+      for (std::string& name : coming.names) {
+        std::string next = fmt::format("p{}", ++count);
+        nameOf[name] = next;
+        name = std::move(next);
+      }
+  });
+  return trace;
+}
 
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;

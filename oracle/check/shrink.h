@@ -59,6 +59,9 @@ class ShrinkWalk {
   bool isSmaller_ = false;   // than at the start of this round
 };
 
+/// The same with names p1, p2, … in order of the adds; no two polygons share one.
+Trace renamed(Trace trace);
+
 /// Whether a candidate still fails in the way that is of interest. It must answer false for a bad trace.
 using StillFails = std::function<bool(const Trace&)>;
 

@@ -1,6 +1,7 @@
 #include "oracle/check/survey.h"
 
 #include "oracle/check/finding.h"
+#include "oracle/check/levels.h"
 #include "oracle/generate/generator.h"
 #include "oracle/page/page.h"
 #include "oracle/reference/words.h"
@@ -12,11 +13,6 @@
 
 namespace lgs::oracle {
 namespace {
-
-std::string fileOf(std::string kind) {
-  std::ranges::replace(kind, ' ', '-');
-  return kind;
-}
 
 // A block of code in Markdown: whatever stands in the text, it can not end the block.
 std::string indented(const std::string& text) {
@@ -40,12 +36,23 @@ std::pair<std::size_t, std::size_t> sizeOf(const Trace& trace) { return {editCou
 
 }  // namespace
 
+std::string Survey::fileOf(std::string kind) {
+  std::ranges::replace(kind, ' ', '-');
+  return kind;
+}
+
+Survey::Survey(CheckOptions options, SurveyOptions how) : options_(std::move(options)), how_(std::move(how)) {
+  for (const KnownMismatch& one : how_.known) known_.insert(identityOf(one));
+}
+
 void Survey::add(const Mismatch& found, const Trace& trace, const CheckStats& stats) {
-  constexpr std::uint64_t kShrunk = 3;  // later ones are only counted
+  constexpr std::uint64_t kHangs = 3;
+  const bool isHang = found.kind == Mismatch::Kind::hang;
   const std::string kind = kindOfFinding(found, *options_.engine);
   Entry& entry = kinds_[kind];
-  if (++entry.count <= kShrunk) shrink(kind, entry, found, trace);
-  if (found.kind == Mismatch::Kind::hang && entry.count >= kShrunk) options_.engine->hurry(true);
+  ++entry.count;
+  if (entry.count <= (isHang ? std::min(kHangs, how_.shrunk) : how_.shrunk)) shrink(kind, entry, found, trace);
+  if (isHang && entry.count >= kHangs) options_.engine->hurry(true);
   write(stats);
 }
 
@@ -53,32 +60,46 @@ void Survey::add(const Failure& failure) {
   constexpr std::array kKinds{"crash", "hang", "protocol"};
   const std::string kind = kKinds[static_cast<std::size_t>(failure.kind)];
   Entry& entry = kinds_[kind];
-  if (++entry.count > 1) return;
-  entry.text = inWords(failure);
-  keep(kind, entry, {}, {drawWithoutEngine({}, kind), pageWithoutEngine({}, kind)});
+  ++entry.count;
+  if (std::ranges::any_of(entry.findings, [](const Finding& one) { return one.trace.calls.empty(); })) return;
+  entry.findings.emplace_back().text = inWords(failure);
+  if (entry.findings.size() == 1) keep(kind, {}, {drawWithoutEngine({}, kind), pageWithoutEngine({}, kind)});
 }
 
 void Survey::shrink(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace) {
   Engine& engine = *options_.engine;
-  const auto findAgain = [&, isSame = sameKind(found.kind, options_)](const Trace& candidate) {
+  CheckOptions looking = options_;  // other recommendations must not come before this one
+  const bool isOne = isAdvice(found, options_.recommended);
+  if (isOne) looking.recommended &= ~brokenBy(found);
+  const auto findAgain = [&, isSame = sameKind(found.kind, looking)](const Trace& candidate) {
     auto again = isSame(candidate);
     return again && kindOfFinding(*again, engine) == kind ? std::move(again) : std::nullopt;
   };
-  Trace small = shrinkWithEngine(found, trace, engine, findAgain, shrinkFor_);
+  Trace small = shrinkWithEngine(found, trace, engine, findAgain, how_.shrinkFor);
   const auto again = findAgain(small);
   if (!again) small = untilFound(trace, found);
-  if (entry.count > 1 && sizeOf(small) >= sizeOf(entry.trace)) return;
   const Mismatch& shown = again ? *again : found;
-  entry.text = describe(shown, small);
-  keep(kind, entry, small, {draw(shown), page(shown, small)});
+  const std::string identity = identityOf({kind, small});
+  const State state = isOne ? State::advice : known_.contains(identity) ? State::known : State::fault;
+  if (!met_.insert(identity).second) return;
+  entry.findings.push_back({small, describe(shown, small), state});
+  std::ranges::stable_sort(entry.findings, {}, [](const Finding& one) { return sizeOf(one.trace); });
+  if (entry.findings.front().trace == small) keep(kind, small, {draw(shown), page(shown, small)});
 }
 
-void Survey::keep(const std::string& kind, Entry& entry, const Trace& trace, const Views& views) {
-  entry.trace = trace;
-  const std::string base = (std::filesystem::path(folder_) / fileOf(kind)).string();
+void Survey::keep(const std::string& kind, const Trace& trace, const Views& views) const {
+  const std::string base = (std::filesystem::path(how_.folder) / fileOf(kind)).string();
   writeOrComplain(base + ".trace", printTrace(trace, kind));
   writeOrComplain(base + ".svg", views.picture);
   writeOrComplain(base + ".html", views.page);
+}
+
+std::vector<KnownMismatch> Survey::faults() const {
+  std::vector<KnownMismatch> faults;
+  for (const auto& [kind, entry] : kinds_)
+    for (const Finding& one : entry.findings)
+      if (one.state == State::fault) faults.push_back({kind, one.trace});
+  return faults;
 }
 
 std::string Survey::facts(const CheckStats& stats) const {
@@ -91,33 +112,33 @@ std::string Survey::facts(const CheckStats& stats) const {
 bool Survey::write(const CheckStats& stats) const {
   const std::string name = options_.engine != nullptr ? readable(options_.engine->name()) : "An engine";
   const std::string title = name + " under the harness";
-  std::string md = fmt::format("# {}\n\n{}\n\n{}\n\n", inMarkdown(title), facts(stats), indented(readable(again_)));
+  std::string md = fmt::format("# {}\n\n{}\n\n{}\n\n", inMarkdown(title), facts(stats), indented(readable(how_.again)));
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
       "<style>body {{ font-family: sans-serif; max-width: 60em; margin: auto }} img {{ max-width: 100% }}\n"
       "pre {{ white-space: pre-wrap }} th, td {{ text-align: left; padding-right: 1em }}</style>\n"
       "<h1>{0}</h1>\n<p>{1}</p>\n<pre>{2}</pre>\n",
-      inElement(title), inElement(facts(stats)), inElement(again_));
+      inElement(title), inElement(facts(stats)), inElement(how_.again));
   md += kinds_.empty() ? "No mismatch.\n"
                        : "| kind | how often | minimal trace | picture | step by step |\n|---|---:|---|---|---|\n";
   html += kinds_.empty() ? "<p>No mismatch.</p>\n"
                          : "<table>\n<tr><th>kind<th>how often<th>minimal trace<th>picture<th>step by step\n";
   std::string mdTexts, htmlTexts;
   for (const auto& [kind, entry] : kinds_) {
-    const std::string file = fileOf(kind), edits = counted(editCount(entry.trace), "edit");
+    const std::string file = fileOf(kind), edits = counted(editCount(entry.findings.front().trace), "edit");
     md += fmt::format("| {0} | {1} | [{2}]({3}.trace) | [{3}.svg]({3}.svg) | [{3}.html]({3}.html) |\n", kind,
                       entry.count, edits, file);
     html += fmt::format(
         "<tr><td><a href=\"#{3}\">{0}</a><td>{1}<td><a href=\"{3}.trace\">{2}</a><td><a "
         "href=\"{3}.svg\">{3}.svg</a><td><a href=\"{3}.html\">{3}.html</a>\n",
         kind, entry.count, edits, file);
-    const std::string text = printTrace(entry.trace) + "\n" + entry.text;
+    const std::string text = printTrace(entry.findings.front().trace) + "\n" + entry.findings.front().text;
     mdTexts += fmt::format("\n## {}\n\n{}\n\n![{}]({}.svg)\n", kind, indented(readable(text)), kind, file);
     htmlTexts += fmt::format("<h2 id=\"{0}\">{1}</h2>\n<pre>{2}</pre>\n<img src=\"{0}.svg\" alt=\"{1}\">\n", file, kind,
                              inElement(text));
   }
   if (!kinds_.empty()) html += "</table>\n";
-  const std::string base = (std::filesystem::path(folder_) / "report").string();
+  const std::string base = (std::filesystem::path(how_.folder) / "report").string();
   const bool isWritten = writeOrComplain(base + ".md", md + mdTexts);
   return writeOrComplain(base + ".html", html + htmlTexts) && isWritten;
 }

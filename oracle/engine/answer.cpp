@@ -40,6 +40,8 @@ bool isInTheWorld(Point p) {
 }
 
 constexpr const char* kIsland = "an island needs a point and twice its area: three integers";
+constexpr const char* kChange = "a change is '- ID', '+ ID segment …' or '~ ID segment …'";
+constexpr const char* kTime = "there is one line 'time NANOSECONDS', a whole number";
 constexpr const char* kSegment = "a segment needs four points of two integers, ghosts may be - -, and a block";
 
 }  // namespace
@@ -59,21 +61,36 @@ tl::expected<Hello, std::string> parseHello(std::string_view line) {
   return hello;
 }
 
+tl::expected<bool, std::string> AnswerReader::takeSegment(std::string_view line, OutlineSegment& s) const {
+  const bool isRead =
+      readPoint(line, s.start) && readPoint(line, s.end) && readGhost(line, s.ghost1) && readGhost(line, s.ghost2);
+  const bool isWord = !line.empty() && line.find(' ') == std::string_view::npos;
+  const bool hasBlock = can_.blocks ? readInteger(line, s.block) : isWord;
+  if (!isRead || !hasBlock) return tl::unexpected<std::string>(kSegment);
+  if (std::string fault = faultOf(s, can_); !fault.empty()) return tl::unexpected(std::move(fault));
+  return false;
+}
+
+tl::expected<bool, std::string> AnswerReader::takeChange(char sign, std::string_view line) {
+  SegmentChange change{sign, std::string(nextWord(line)), {}};
+  const bool hasSegment = sign != '-';
+  if (change.id.empty() || (hasSegment ? nextWord(line) != "segment" : !line.empty()))
+    return tl::unexpected<std::string>(kChange);
+  if (hasSegment)
+    if (auto read = takeSegment(line, change.segment); !read) return read;
+  changes.push_back(std::move(change));
+  return false;
+}
+
 tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
   std::string_view rest = line;
   const std::string_view word = nextWord(rest);
-  if (word == "segment") {
-    OutlineSegment s;
-    const bool isRead =
-        readPoint(rest, s.start) && readPoint(rest, s.end) && readGhost(rest, s.ghost1) && readGhost(rest, s.ghost2);
-    const bool isWord = !rest.empty() && rest.find(' ') == std::string_view::npos;
-    const bool hasBlock = can_.blocks ? readInteger(rest, s.block) : isWord;
-    if (!isRead || !hasBlock) return tl::unexpected<std::string>(kSegment);
-    if (std::string fault = faultOf(s, can_); !fault.empty()) return tl::unexpected(std::move(fault));
-    outline.push_back(s);
-    return false;
-  }
   if (line == "end") return true;
+  if (word == "segment" && !can_.delta) {
+    outline.emplace_back();
+    return takeSegment(rest, outline.back());
+  }
+  if (can_.delta && (word == "-" || word == "+" || word == "~")) return takeChange(word[0], rest);
   if (can_.islands && word == "island") {
     NamedIsland island;
     if (!readPoint(rest, island.west) || !readInteger(rest, island.doubleArea))
@@ -81,10 +98,18 @@ tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
     islands.push_back(island);
     return false;
   }
+  if (can_.time && word == "time") {
+    std::int64_t count = 0;
+    if (time || !readInteger(rest, count) || count < 0) return tl::unexpected<std::string>(kTime);
+    time = std::chrono::nanoseconds(count);
+    return false;
+  }
   if (word != "refused")
-    return tl::unexpected(
-        fmt::format("a line of an answer begins with refused, segment, {}end or #", can_.islands ? "island, " : ""));
-  if (!outline.empty() || !islands.empty()) return tl::unexpected<std::string>("refusals come before the segments");
+    return tl::unexpected(fmt::format("a line of an answer begins with refused, {}, {}{}end or #",
+                                      can_.delta ? "-, +, ~" : "segment", can_.islands ? "island, " : "",
+                                      can_.time ? "time, " : ""));
+  if (!outline.empty() || !islands.empty() || !changes.empty())
+    return tl::unexpected<std::string>("refusals come before the segments");
   const std::string name(nextWord(rest));
   if (name.empty() || rest.empty()) return tl::unexpected<std::string>("a refusal needs a name and a reason");
   refused.push_back({name, std::string(rest)});

@@ -1,8 +1,11 @@
 // An engine's answers as text, line by line.
 #pragma once
 
+#include "oracle/engine/delta.h"
 #include "oracle/engine/engine.h"
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -28,10 +31,16 @@ class AnswerReader {
   tl::expected<bool, std::string> take(std::string_view line);
 
   std::vector<RefusedEdit> refused;
-  Outline outline;       ///< as it came
-  NamedIslands islands;  ///< as they came
+  Outline outline;         ///< as it came
+  NamedIslands islands;    ///< as they came
+  SegmentChanges changes;  ///< as they came
+  std::optional<std::chrono::nanoseconds> time;
 
  private:
+  using Taken = tl::expected<bool, std::string>;
+  Taken takeChange(char sign, std::string_view line);
+  Taken takeSegment(std::string_view line, OutlineSegment& segment) const;
+
   Capabilities can_;
 };
 

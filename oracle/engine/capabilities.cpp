@@ -20,7 +20,8 @@ constexpr std::array kWords{
     Word{"several", &Capabilities::several}, Word{"slants", &Capabilities::slants},
     Word{"squares", &Capabilities::squares}, Word{"preserve", &Capabilities::preserve},
     Word{"refuses", &Capabilities::refuses}, Word{"merged", &Capabilities::merged},
-    Word{"islands", &Capabilities::islands},
+    Word{"islands", &Capabilities::islands}, Word{"delta", &Capabilities::delta},
+    Word{"time", &Capabilities::time},
 };
 
 // The number after "lattice=" or "cells="; -1 if there is none.
@@ -51,7 +52,7 @@ std::string take(std::string_view word, Capabilities& can) {
   }
   return fmt::format(
       "'{}' is no capability; there are ghosts, blocks, several, slants, squares, preserve, refuses, "
-      "merged, islands, lattice=N and cells=N",
+      "merged, islands, delta, time, lattice=N and cells=N",
       word);
 }
 
@@ -104,6 +105,7 @@ std::string comparedInWords(const Capabilities& can) {
   if (can.ghosts) words.push_back("ghosts");
   if (can.blocks) words.push_back("blocks");
   if (can.islands) words.push_back("islands");
+  if (can.delta) words.push_back("lists of changes");
   std::string text(words.front());
   for (std::size_t k = 1; k < words.size(); ++k)
     text += fmt::format("{}{}", k + 1 < words.size() ? ", " : " and ", words[k]);

@@ -21,6 +21,8 @@ struct Capabilities {
   bool refuses = false;                  ///< it refuses the edits that must be refused
   bool merged = false;                   ///< it joins collinear neighbours
   bool islands = false;                  ///< it puts out the islands
+  bool delta = false;                    ///< it puts out what changed instead of the whole outline (delta.h)
+  bool time = false;                     ///< it says how long it took
   std::int32_t lattice = kUnitsPerCell;  ///< coordinates are multiples of 1/lattice cell
   std::int32_t cells = kMaxCell;         ///< cells lie within ±cells
   friend bool operator==(const Capabilities&, const Capabilities&) = default;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "oracle/engine/capabilities.h"
+#include "oracle/engine/delta.h"
 #include "oracle/reference/island.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -61,11 +63,20 @@ class Engine {
   /// The islands of that commit, sorted, if it can put them out.
   virtual NamedIslands islands() const { return {}; }
 
+  /// What it told of that commit, if it tells what changed; outline() is the copy then.
+  virtual const Delta* delta() const { return nullptr; }
+
+  /// By its own clock, how long that commit took and the edits before it, if it says so.
+  virtual std::optional<std::chrono::nanoseconds> time() const { return std::nullopt; }
+
   /// Begins anew: more than reset() does, which may forget to forget something.
   virtual void restart() {}
 
   /// In a hurry the engine gets less time for an answer: a hang is looked for again and again.
   virtual void hurry(bool /*isInHurry*/) {}
+
+  /// What an answer may take, if anybody looks at the clock.
+  virtual std::chrono::duration<double> timeout() const { return std::chrono::duration<double>::max(); }
 
   /// Ends the engine. What goes wrong then, if anything does.
   virtual std::optional<Failure> finish() { return std::nullopt; }

@@ -28,17 +28,12 @@ std::optional<Failure> ProcessEngine::begin() {
     if (isFirst) introduce(hello->name, hello->can);
     return true;
   };
-  return ask("lgs-engine 1\n", take);
+  return ask("lgs-engine 1\n", take, std::chrono::duration_cast<Clock::duration>(options_.timeout));
 }
 
-std::optional<Failure> ProcessEngine::ask(std::string_view text, const Child::Take& take) {
-  const Clock::time_point begin = Clock::now();
-  auto failure = child_->ask(text, take, patience());
-  if (failure) {
-    child_.reset();
-  } else {
-    slowest_ = std::max(slowest_, Clock::now() - begin);
-  }
+std::optional<Failure> ProcessEngine::ask(std::string_view text, const Child::Take& take, Clock::duration patience) {
+  auto failure = child_->ask(text, take, patience);
+  if (failure) child_.reset();
   return failure;
 }
 
@@ -57,6 +52,7 @@ void ProcessEngine::reset(const PreservePairs& preserve) {
   for (const auto& [a, b] : preserve.pairs()) unsent_ += fmt::format("preserve {} {}\n", a, b);
   outline_.clear();
   islands_.clear();
+  delta_.clear();
 }
 
 void ProcessEngine::add(const std::string& name, const ScenePolygon& polygon) {
@@ -76,16 +72,21 @@ Engine::Refusals ProcessEngine::commit() {
   if (failure_) return tl::unexpected(*failure_);
   unsent_ += "commit\n";
   AnswerReader reader(can());
-  auto failure = ask(unsent_, [&](std::string_view line) { return reader.take(line); });
+  const Clock::time_point begin = Clock::now();
+  auto failure = ask(
+      unsent_, [&](std::string_view line) { return reader.take(line); }, patience());
   unsent_.clear();
   if (failure) {
     failure_ = failure;
     return tl::unexpected(std::move(*failure));
   }
+  slowest_ = std::max(slowest_, Clock::now() - begin);
   outline_ = std::move(reader.outline);
   std::sort(outline_.begin(), outline_.end());
   islands_ = std::move(reader.islands);
   std::sort(islands_.begin(), islands_.end());
+  delta_.take(std::move(reader.changes));
+  time_ = reader.time;
   return std::move(reader.refused);
 }
 

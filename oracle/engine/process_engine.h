@@ -30,10 +30,13 @@ class ProcessEngine : public Engine {
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
   Refusals commit() override;
-  Outline outline() const override { return outline_; }
+  Outline outline() const override { return can().delta ? delta_.outline() : outline_; }
   NamedIslands islands() const override { return islands_; }
+  const Delta* delta() const override { return can().delta ? &delta_ : nullptr; }
+  std::optional<std::chrono::nanoseconds> time() const override { return time_; }
   void restart() override { child_.reset(); }
   void hurry(bool isInHurry) override { isInHurry_ = isInHurry; }
+  std::chrono::duration<double> timeout() const override { return options_.timeout; }
   std::optional<Failure> finish() override;
 
  private:
@@ -41,7 +44,7 @@ class ProcessEngine : public Engine {
 
   explicit ProcessEngine(const ProcessOptions& options) : options_(options) {}
   std::optional<Failure> begin();
-  std::optional<Failure> ask(std::string_view text, const Child::Take& take);
+  std::optional<Failure> ask(std::string_view text, const Child::Take& take, Clock::duration patience);
   Clock::duration patience() const;
 
   ProcessOptions options_;
@@ -50,8 +53,10 @@ class ProcessEngine : public Engine {
   std::string unsent_;
   Outline outline_;
   NamedIslands islands_;
+  Delta delta_;
+  std::optional<std::chrono::nanoseconds> time_;
   bool isInHurry_ = false;
-  Clock::duration slowest_{};  // answer, starts included
+  Clock::duration slowest_{};  // answer to a commit
 };
 
 }  // namespace lgs::oracle

@@ -34,7 +34,12 @@ std::string answerTo(const Trace& edits, Engine& engine) {
   if (!refusals) return refusals.error().text + "\n";  // no line of an answer: so the harness tells it
   std::string text;
   for (const auto& [name, reason] : *refusals) text += fmt::format("refused {} {}\n", name, reason);
-  text += dump(engine.outline());
+  if (const Delta* const delta = engine.delta(); delta == nullptr) {
+    text += dump(engine.outline());
+  } else {
+    for (const auto& [sign, id, segment] : delta->changes())
+      text += sign == '-' ? fmt::format("- {}\n", id) : fmt::format("{} {} {}", sign, id, dump({segment}));
+  }
   if (engine.can().islands)
     for (const auto& [west, doubleArea] : engine.islands())
       text += fmt::format("island {} {} {}\n", west.x, west.y, doubleArea);

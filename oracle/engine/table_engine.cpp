@@ -15,7 +15,10 @@ struct Answer {
   Capabilities can;
   std::vector<RefusedEdit> refused;
   Outline outline;
+  SegmentChanges changes;
   std::string fault;  // of the first bad segment
+
+  void take(const lgs_engine_segment& segment, OutlineSegment& to);
 };
 
 void takeRefused(void* to, const char* name, const char* reason) {
@@ -24,18 +27,28 @@ void takeRefused(void* to, const char* name, const char* reason) {
 
 Point pointOf(const std::int64_t (&p)[2]) { return {p[0], p[1]}; }
 
+void Answer::take(const lgs_engine_segment& s, OutlineSegment& to) {
+  to = {pointOf(s.start), pointOf(s.end), s.block, {}, {}};
+  if ((s.missing & 1U) == 0) to.ghost1 = pointOf(s.ghost1);
+  if ((s.missing & 2U) == 0) to.ghost2 = pointOf(s.ghost2);
+  if (fault.empty()) fault = faultOf(to, can);
+}
+
 void takeSegments(void* to, const lgs_engine_segment* segments, std::size_t count) {
   Answer& answer = *static_cast<Answer*>(to);
-  for (const lgs_engine_segment& s : std::span(segments, count)) {
-    OutlineSegment segment{pointOf(s.start), pointOf(s.end), s.block, {}, {}};
-    if ((s.missing & 1U) == 0) segment.ghost1 = pointOf(s.ghost1);
-    if ((s.missing & 2U) == 0) segment.ghost2 = pointOf(s.ghost2);
-    if (std::string fault = faultOf(segment, answer.can); !fault.empty()) {
-      if (answer.fault.empty()) answer.fault = std::move(fault);
-    } else {
-      answer.outline.push_back(segment);
-    }
-  }
+  for (const lgs_engine_segment& s : std::span(segments, count)) answer.take(s, answer.outline.emplace_back());
+}
+
+void takeChange(void* to, char sign, std::uint64_t id, const lgs_engine_segment* segment) {
+  Answer& answer = *static_cast<Answer*>(to);
+  OutlineSegment& taken = answer.changes.emplace_back(SegmentChange{sign, std::to_string(id)}).segment;
+  if (!answer.can.delta) answer.fault = "a change, and does not declare 'delta'";
+  if (sign != '-' && sign != '+' && sign != '~') answer.fault = "a change that is not '-', '+' or '~'";
+  if (sign == '-') return;
+  if (segment == nullptr)
+    answer.fault = "a change without its segment";
+  else
+    answer.take(*segment, taken);
 }
 
 }  // namespace
@@ -49,7 +62,8 @@ tl::expected<std::unique_ptr<TableEngine>, std::string> TableEngine::make(const 
   if (!isWhole) return tl::unexpected<std::string>("a pointer of its table is null");
   const auto can = parseCapabilities(table->capabilities);
   if (!can) return tl::unexpected(can.error());
-  if (can->islands) return tl::unexpected<std::string>("'islands': only the protocol has lines for them");
+  if (can->islands || can->time)
+    return tl::unexpected<std::string>("'islands' and 'time': only the protocol has lines for them");
   std::unique_ptr<TableEngine> engine(new TableEngine(table));
   engine->introduce(table->name, *can);
   return engine;
@@ -73,6 +87,7 @@ void TableEngine::restart() {
 
 void TableEngine::reset(const PreservePairs& preserve) {
   outline_.clear();
+  delta_.clear();
   if (self_ == nullptr) self_ = table_->create();
   if (self_ == nullptr) return;  // commit() says so
   table_->reset(self_);
@@ -93,12 +108,13 @@ void TableEngine::remove(const std::string& name) {
 
 Engine::Refusals TableEngine::commit() {
   if (self_ == nullptr) return tl::unexpected(Failure{Failure::Kind::crash, "can not be created"});
-  Answer answer{can(), {}, {}, {}};
-  const lgs_engine_answer taking{&answer, takeRefused, takeSegments};
+  Answer answer{can(), {}, {}, {}, {}};
+  const lgs_engine_answer taking{&answer, takeRefused, takeSegments, takeChange};
   table_->commit(self_, &taking);
   if (!answer.fault.empty()) return tl::unexpected(Failure{Failure::Kind::protocol, "put out " + answer.fault});
   outline_ = std::move(answer.outline);
   std::sort(outline_.begin(), outline_.end());
+  delta_.take(std::move(answer.changes));
   return std::move(answer.refused);
 }
 

@@ -28,7 +28,8 @@ class TableEngine : public Engine {
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
   Refusals commit() override;
-  Outline outline() const override { return outline_; }
+  Outline outline() const override { return can().delta ? delta_.outline() : outline_; }
+  const Delta* delta() const override { return can().delta ? &delta_ : nullptr; }
   void restart() override;
 
  private:
@@ -38,6 +39,7 @@ class TableEngine : public Engine {
   void* self_ = nullptr;          // null: to be made by the next reset()
   std::vector<std::int32_t> xy_;  // of the polygon that is being added
   Outline outline_;
+  Delta delta_;
 };
 
 }  // namespace lgs::oracle

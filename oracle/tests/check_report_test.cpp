@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <functional>
+#include <thread>
 
 namespace lgs::oracle::reporting {
 namespace {
@@ -90,12 +91,49 @@ TEST_F(CheckReport, HasTheSmallestTraceAndWhereItIs) {
   expectSaid(page, "\"expectedName\":\"naive reference\"");
 }
 
+TEST_F(CheckReport, ReplacesNothingOfAnEarlierRun) {
+  Wrong engine([](Outline& o) { o.pop_back(); });
+  Trace other = fourSquares();
+  other.calls.insert(other.calls.begin(), square("more", {0, 3}));
+  for (const Trace& trace : {fourSquares(), other, fourSquares(), other}) reported(trace, {.engine = &engine}, to(0ms));
+  EXPECT_EQ(saved().calls.size(), 4U);
+  EXPECT_EQ(parseTrace(get("some where/found.2.trace")).trace.calls.size(), 3U);
+  for (const std::string name : {"found.2.svg", "found.2.html"}) EXPECT_NE(get("some where/" + name), "") << name;
+  EXPECT_FALSE(std::filesystem::exists(path("some where/found.3.trace"))) << "but by the same";
+}
+
 TEST_F(CheckReport, WithoutTimeHasTheTraceUpToTheMismatch) {
   Wrong engine([](Outline& o) { o.pop_back(); });
   const Trace trace = fourSquares();
   const std::string text = reported(trace, {.engine = &engine}, to(0ms));
   expectSaid(text, "shrinking", false);
   EXPECT_EQ(saved(), (Trace{{}, {trace.calls.begin(), trace.calls.begin() + 4}}));
+}
+
+// It never answers, which is waited for each time.
+class Hanging : public ReferenceEngine {
+ public:
+  Hanging() : ReferenceEngine(true, false) {}
+  Refusals commit() override {
+    ++commits;
+    std::this_thread::sleep_for(5ms);
+    return tl::unexpected(Failure{Failure::Kind::hang, "hangs"});
+  }
+  std::chrono::duration<double> timeout() const override { return 10ms; }
+
+  int commits = 0;
+};
+
+TEST_F(CheckReport, AHangIsShrunkForFourTimeouts) {
+  Hanging engine;
+  Trace trace;
+  for (std::int32_t i = 0; i < 30; ++i)
+    trace.calls.push_back(Call::add("s" + std::to_string(i), {{7 * i, 5}, 3, {{0, 0}, {9'999, 7}, {65'535, 65'535}}}));
+  trace.calls.push_back(Call::commit());
+  const CheckOptions options{.engine = &engine};
+  const Mismatch found = must(findMismatch(trace, options));
+  shrinkWithEngine(found, trace, engine, sameKind(found.kind, options), 60s);
+  EXPECT_LE(engine.commits, 2 + 4 * 2 + 4) << "found, shrunk, and looked at again";
 }
 
 TEST_F(CheckReport, SaysThatItWasNotThereAgain) {
@@ -208,7 +246,7 @@ class CheckSurvey : public CheckReport {
     CheckReport::SetUp();
     std::filesystem::create_directories(path("report"));
   }
-  Survey survey(Engine* engine) const { return Survey({.engine = engine}, path("report"), "lgs check --all", 60s); }
+  Survey survey(Engine* engine) const { return Survey({.engine = engine}, {path("report"), "lgs check --all", 60s}); }
   static void add(Survey& survey, Engine& engine, const Trace& trace) {
     survey.add(must(findMismatch(trace, {.engine = &engine})), trace, {.edits = 12, .commits = 1});
   }
@@ -270,7 +308,7 @@ TEST_F(CheckSurvey, SaysThatThereIsNothing) {
   ReferenceEngine engine(true, false);
   EXPECT_TRUE(survey(&engine).write({}));
   expectSaid(get("report/report.md"), "\n\nNo mismatch.\n");
-  EXPECT_FALSE(Survey({.engine = &engine}, path("nowhere"), "", 0s).write({}));
+  EXPECT_FALSE(Survey({.engine = &engine}, {path("nowhere"), "", 0s}).write({}));
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ from workshop import Workshop, make, run
 # What is said of a case that used up its time, or the program's: not that the code is wrong.
 TIME_OUT = re.compile(r"hung (asleep )?for \d+ s|CPU time limit exceeded")
 REPORT = "report.json"
+# What tests of a program run: the target, and the program that it makes.
+RUN_BY = {"lgs_engines_tests": {"lgs_cli": "lgs", "lgs-bench": "lgs-bench"}}
 
 
 @dataclass(frozen=True)
@@ -28,20 +30,20 @@ class Tests:
     seed: int = 1
     scale: float = 1.0
     limit: float = 300  # seconds of CPU
-    others: tuple[tuple[str, str], ...] = ()  # what the tests run: the target, and the program that it makes
 
     kind = "tests"
 
     @property
     def targets(self) -> dict[str, str]:
-        return {self.program: self.program, **dict(self.others)}
+        return {self.program: self.program, **RUN_BY.get(self.program, {})}
 
     def search(self, shop: Workshop, program: Callable[[str], Path]) -> dict:
         report = shop.folder / REPORT
         report.unlink(missing_ok=True)
         ran = run([program(self.program), f"--gtest_filter={self.filter}", "--gtest_fail_fast",
                    f"--gtest_output=json:{report}"], self.limit,
-                  {"TMPDIR": str(shop.folder), "LGS_TEST_SEED": str(self.seed), "LGS_TEST_SCALE": str(self.scale)})
+                  {"TMPDIR": str(shop.folder), "LGS_TEST_SEED": str(self.seed), "LGS_TEST_SCALE": str(self.scale)} |
+                  ({"LGS_COMMAND": str(program("lgs"))} if self.program in RUN_BY else {}))
         if ran.status == 0:
             return {"verdict": "passes", "seconds": ran.seconds}
         failed = re.search(r"\[  FAILED  \] ([^\s,]+)", ran.output)

@@ -26,7 +26,7 @@ COMPONENTS = {
     "brushes": (("lib/brush",), [Tests("lgs_brush_tests", "*")]),
     "views": (("lib/views", "lib/pieces"), [Tests("lgs_view_tests", "*")]),
     "judge": (("oracle/check", "oracle/reference"),
-              [Tests("lgs_oracle_tests", JUDGE), Tests("lgs_engines_tests", ENGINES, others=(("lgs_cli", "lgs"),))]),
+              [Tests("lgs_oracle_tests", JUDGE), Tests("lgs_engines_tests", ENGINES)]),
     "importer": (("addons/tiled",), [Tests("lgs_tiled_tests", "*")]),
     "C": (("addons/c/src",), [Tests("lgs_attack", "*")]),
     "debug": (("addons/debug",), [Tests("lgs_debug_tests", "*")]),

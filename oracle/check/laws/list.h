@@ -1,6 +1,6 @@
 // The laws: each is a file in this folder, and a line here.
 //
-// A line has the name of the function that makes it, and of whom it is held. Of any engine: segments, islands, history.
+// A line has the name of the function that makes it, and of whom it is held. Of any engine: segments, islands, history, lists of changes.
 // Of this library's alone: what only it shows.
 #pragma once
 
@@ -21,8 +21,10 @@ namespace lgs::oracle::laws {
   law(loopView,  library)  /* 15: loops, also while chunks come and go */                           \
   law(views,     library)  /* 15: a view is its recompute */                                        \
   law(bodies,    library)  /* what is taken out of the ground, and foreseen */                      \
+  law(ids,       any)      /* 6: of an engine that tells what changed: no id twice */               \
   law(outline,   any)      /* 1 to 3 and 14: the references have the same segments, links, loops */ \
   law(islands,   any)      /* what hangs together */                                                \
+  law(minimality, any)     /* 6: of an engine that tells what changed: it tells nothing else */     \
   law(questions, library)  /* what is asked about places is answered as the slow way answers it */  \
   law(twins,     library)  /* 4, 5: moved, turned, mirrored, cut */                                 \
   law(past,      library)  /* 12, 7: what was undone, or refused, has left no trace */              \

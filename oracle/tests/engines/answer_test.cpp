@@ -33,6 +33,29 @@ TEST(Answers, IslandsAreReadIfTheyArePromised) {
     EXPECT_FALSE(reader.take(line)) << line;
 }
 
+TEST(Answers, ChangesAreReadIfTheyArePromised) {
+  Capabilities can = Capabilities::all();
+  EXPECT_FALSE(AnswerReader(can).take("- 7"));
+  EXPECT_FALSE(AnswerReader(can).take("time 5"));
+  can.delta = can.time = true;
+  AnswerReader reader(can);
+  for (const std::string line : {"- 7", "+ a,b segment 1 2 3 4 5 6 - - 9", "~ 8 segment 1 2 3 4 - - - - 0", "time 12"})
+    EXPECT_EQ(reader.take(line).value(), false) << line;
+  ASSERT_EQ(reader.changes.size(), 3U);
+  EXPECT_EQ(reader.changes[0].id, "7");
+  EXPECT_EQ(reader.changes[1].sign, '+');
+  EXPECT_EQ(reader.changes[1].id, "a,b");
+  EXPECT_EQ(reader.changes[1].segment, (OutlineSegment{{1, 2}, {3, 4}, 9, Point{5, 6}, {}}));
+  EXPECT_EQ(reader.changes[2].sign, '~');
+  EXPECT_EQ(reader.time, std::chrono::nanoseconds(12));
+  for (const std::string line : {"-", "- ", "- 7 8", "+ 7", "+ segment 1 2 3 4 5 6 - - 9", "+ 7 1 2 3 4 5 6 - - 9",
+                                 "~ 8 segment 1 2 3 4 - - - -", "* 7", "segment 1 2 3 4 - - - - 0",
+                                 "refused p1 too late", "time 13", "+ 7 segment 99999999999999 2 3 4 - - - - 9"})
+    EXPECT_FALSE(reader.take(line)) << line;
+  EXPECT_FALSE(AnswerReader(can).take("time -1"));
+  EXPECT_FALSE(AnswerReader(can).take("time 1.5"));
+}
+
 TEST(Answers, WrongLinesAreTold) {
   for (const std::string line :
        {"", " ", "End", "end ", "segment", "segment 0 0 1 1 - - - -", "segment 0 0 1 1 - - - - 1 ",

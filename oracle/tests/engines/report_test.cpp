@@ -193,7 +193,7 @@ TEST_F(Reports, AreWrittenAsTheRunGoes) {
   std::filesystem::create_directories(folder_ / "report");
   Hanging engine;
   const oracle::CheckOptions options{.engine = &engine, .skipRefused = true};
-  oracle::Survey survey(options, (folder_ / "report").string(), "lgs check", std::chrono::milliseconds(10));
+  oracle::Survey survey(options, {(folder_ / "report").string(), "lgs check", std::chrono::milliseconds(10)});
   const oracle::Trace trace{{}, {oracle::Call::commit()}};
   const auto found = must(oracle::findMismatch(trace, options));
   for (const int count : {1, 2, 3, 4}) {

@@ -14,7 +14,9 @@ TEST(SharedObject, OfThisLibraryAnswersLikeThisLibrary) {
   ASSERT_TRUE(loaded) << loaded.error();
   Engine& engine = **loaded;
   EXPECT_EQ(engine.name(), "LocalGridSeg");
-  EXPECT_EQ(engine.can(), Capabilities::all());
+  Capabilities can = Capabilities::all();
+  can.delta = true;
+  EXPECT_EQ(engine.can(), can);
   CheckStats stats;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const auto found = checkTrace(randomCase({3, 3, 50}, seed), {.engine = &engine, .skipRefused = true}, stats);
@@ -91,9 +93,12 @@ using SharedObjects = Workbench;
 TEST_F(SharedObjects, AreCheckedByTheCommand) {
   const Outcome good = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --edits 500");
   EXPECT_EQ(good.status, 0) << good.text;
-  EXPECT_NE(good.text.find("engine     LocalGridSeg: segments, ghosts and blocks are compared"), std::string::npos);
-  const Outcome joined = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume 'ghosts merged' --edits 300");
+  EXPECT_NE(good.text.find("engine     LocalGridSeg: segments, ghosts, blocks and lists of changes are compared"),
+            std::string::npos);
+  const Outcome joined = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume 'ghosts merged delta' --edits 300");
   EXPECT_EQ(joined.status, 0) << joined.text;
+  const Outcome silent = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume ghosts --edits 300");
+  EXPECT_NE(silent.text.find("put out a change, and does not declare 'delta'"), std::string::npos) << silent.text;
   EXPECT_EQ(sh("lgs check --engine-so ./missing.so --edits 10").status, 2);
   EXPECT_EQ(sh("lgs check --engine-so a.so --engine b").status, 2);
   EXPECT_EQ(sh("lgs check --engine-timeout 3").status, 2);

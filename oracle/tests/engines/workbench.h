@@ -19,8 +19,10 @@ class Workbench : public InAFolder {
   /// examples/engines/naive.py with one piece of it changed; the command that runs it. The piece must be there once.
   std::string naiveWith(const std::string& piece, const std::string& instead) const;
 
-  /// The same with several pieces changed, one after the other.
-  std::string naiveWith(const std::vector<std::pair<std::string, std::string>>& replaced) const;
+  /// The same with several pieces changed, one after the other; of any example.
+  using Pieces = std::vector<std::pair<std::string, std::string>>;
+  std::string naiveWith(const Pieces& replaced) const { return exampleWith("naive.py", replaced); }
+  std::string exampleWith(const std::string& example, const Pieces& replaced) const;
 
   /// The same with a statement that runs before each answer to a commit.
   std::string naiveThat(const std::string& statement) const;

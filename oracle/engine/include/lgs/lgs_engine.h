@@ -2,7 +2,7 @@
  * instead of lines. C99 and C++.
  *
  * The shared object exports one function, lgs_engine(), which returns a table of functions. A world's edits go in; at a
- * commit the engine tells which edits it refused, and puts out the whole outline.
+ * commit the engine tells which edits it refused, and puts out the whole outline, or what changed.
  *
  * Rules. The harness calls from one thread. What it passes belongs to it, and is valid during the call; what the engine
  * passes to an answer is read during that call. No exception may leave a function. Coordinates are lattice units,
@@ -41,11 +41,14 @@ typedef struct lgs_engine_segment {
 
 /* Where the answer to a commit goes. First `to`, then:
  *   refused   an edit since the last commit, by its name, and why; in the order of the edits
- *   segments  some segments, `count` of them; in any order, in any number of calls */
+ *   segments  some segments, `count` of them; in any order, in any number of calls
+ *   changed   of an engine that declares `delta`, in the place of `segments`: '-' and the id of a segment that is gone,
+ *             '+' and one that is new, '~' and one that is another one now; `segment` is null with '-' */
 typedef struct lgs_engine_answer {
   void* to;                                                                     /* comes first in each call */
   void (*refused)(void* to, const char* name, const char* reason);              /* an edit */
   void (*segments)(void* to, const lgs_engine_segment* segments, size_t count); /* some of them */
+  void (*changed)(void* to, char sign, uint64_t id, const lgs_engine_segment* segment);
 } lgs_engine_answer;
 
 /* What an engine is. `self` is what create() has returned; null there means that it failed. */
@@ -60,7 +63,7 @@ typedef struct lgs_engine_table {
   /* A polygon of so many vertices, with their x and y one after the other, into the cell (i, j). */
   void (*add)(void* self, const char* name, int32_t i, int32_t j, uint32_t block, const int32_t* xy, size_t vertices);
   void (*remove)(void* self, const char* name);                /* a polygon */
-  void (*commit)(void* self, const lgs_engine_answer* answer); /* answers with the whole outline */
+  void (*commit)(void* self, const lgs_engine_answer* answer); /* answers with the whole outline, or what changed */
 } lgs_engine_table;
 
 /* What the shared object exports. The table stays valid as long as it is loaded. */
