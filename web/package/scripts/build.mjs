@@ -31,7 +31,7 @@ const loading = {
   full: ['lgs-full', "export * from './src/api.js'; export { importMap } from './src/maps.js'"],
   islands: ['lgs-islands', "export * from './src/islands-api.js'"],
   pieces: ['lgs-islands', "export * from './src/api.js'; export { Pieces } from './src/piece-view.js'"],
-  oracle: ['lgs-oracle', "export { answer, check, outline, page } from './src/oracle-api.js'; export { LgsError } from './src/error.js'", 'oracle-api'],
+  oracle: ['lgs-oracle', "export { answer, check, outline, page } from './src/oracle-api.js'", 'oracle-api'],
 }
 /** Their init() elsewhere, by the conditions of package.json. Browsers see no word of Node; and Cloudflare's workers
  *  compile nothing, but import the code as a module. */

@@ -70,10 +70,10 @@ export interface Checked {
 
 /** Plays a trace with the engine that is compiled in, and holds it to the laws and the naive reference after each
  *  commit: what `lgs replay --check --oracle naive` says. Throws 'bad-trace' where an edit is rightly refused. */
-export function check(trace: string, name = 'trace'): Checked {
+export function check(trace: string, name: string = 'trace'): Checked {
   const { isRight, text } = ask('check', trace, name)
   return { isRight, report: text }
 }
 
 /** The same as a page of HTML that steps through the trace; at its end is the mismatch, if there is one. */
-export const page = (trace: string, name = 'trace'): string => ask('page', trace, name).text
+export const page = (trace: string, name: string = 'trace'): string => ask('page', trace, name).text

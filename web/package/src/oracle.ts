@@ -8,7 +8,6 @@ import { start } from './oracle-api.js'
 import type { InitOptions } from './types.js'
 
 export { answer, check, outline, page, type Checked } from './oracle-api.js'
-export { LgsError } from './error.js'
 
 /** Loads the reference. Worlds of the other modules need their own `init()`. */
 export const init = (options: InitOptions = {}): Promise<void> =>
