@@ -22,6 +22,12 @@ test('the other examples of the README run, one after the other', () => {
   assert.match(execFileSync(process.execPath, ['--input-type=module', '-e', code], { cwd, encoding: 'utf8' }), /^1 falls$[^]*^0 fall$[^]*^1 island$[^]*triangles/m)
 })
 
+test('the game of the README is the example', () => {
+  const [page, example] = ['../README.md', '../../examples/digger.js'].map((name) => readFileSync(new URL(name, import.meta.url), 'utf8'))
+  const [, code] = /```ts\n([^]*?)```/.exec(page)
+  assert.ok(example.includes(code))
+})
+
 test('no link leads to a place that is not there', () => {
   const page = readFileSync(new URL('../README.md', import.meta.url), 'utf8'), { homepage } = JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8'))
   for (const text of [page, readFileSync(new URL('../package.json', import.meta.url), 'utf8')]) assert.doesNotMatch(text, /\.invalid/)

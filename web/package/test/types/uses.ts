@@ -311,7 +311,10 @@ export function groundOf(physics: Planck, saved: Uint8Array): number {
   using ground = new PlanckGround(physics, options, { cellSize: 0.5, merge: true }, { density: () => 2 })
   // @ts-expect-error: it has another name
   new BareGround({ anchor: {} })
-  new GroundPicture(ground, { 1: 'red', 2: '#00f' }).draw(document.createElement('canvas').getContext('2d')!, [1, 0, 0, -1, 0, 9])
+  const picture = new GroundPicture(ground, document.createElement('canvas'), { 1: 'red', 2: '#00f' }, { size: 20, line: 'black' })
+  addEventListener('pointermove', (event) => picture.at(event))
+  ground.window(picture.cells)
+  picture.draw()
   ground.dig(1, 2, 3)
   ground.dig(circle(1, 2, 3))
   ground.paint(1, 2, 3, 4, 'replace')
