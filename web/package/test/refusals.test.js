@@ -48,6 +48,7 @@ test('edits that do not fit', () => {
   refuses('unknown-shape', () => other.fill({ i0: 1, j0: 0, i1: 1, j1: 0 }, square, 1))
   const loaded = loadWorld(other.save())
   loaded.add(1, 0, theirs, 1)
+  loaded.commit()
   assert.equal(loadWorld(loaded.save()).shape(unitSquare), loaded.shape(unitSquare))
   loaded.free()
   other.free()
