@@ -1,110 +1,31 @@
 // The references as a service: it reads the lines that an engine under the harness reads, and answers what a perfect
 // engine would.
 #include "cli/inputs.h"
+#include "oracle/check/answers.h"
 #include "oracle/check/reference_engine.h"
-#include "oracle/trace/dump.h"
-#include "oracle/trace/line.h"
 
 #include <fmt/format.h>
-#include <array>
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <optional>
 
 namespace lgs::cli {
 namespace {
 
 using namespace oracle;
-using Words = std::vector<std::string_view>;
-
-class Service {
- public:
-  explicit Service(Engine& engine) : engine_(engine) { reset(); }
-
-  /// Answers a line. Returns what is wrong with it, and what to do; then nothing has changed. Empty if it is good.
-  std::string take(const std::string& line) {
-    constexpr std::array<std::string_view, 4> kOfTraces{"preserve", "add", "remove", "commit"};
-    const Words words = splitWords(line);
-    if (words.empty()) return "";
-    if (words[0] == "lgs-engine") return greet(words);
-    if (words[0] == "reset") return words.size() == 1 ? reset() : "reset stands alone on its line";
-    if (std::ranges::find(kOfTraces, words[0]) == kOfTraces.end())
-      return "unknown word; a line starts with lgs-engine, reset, preserve, add, remove, commit or #";
-    const ParsedTrace parsed = parseTrace("lgs-trace 1\n" + line);
-    if (parsed.error) return parsed.error->text;
-    if (words[0] == "preserve") return preserve(parsed.trace.preserve);
-    for (const Call& edit : parsed.trace.calls) make(edit);
-    return "";
-  }
-
-  /// Why there is no answer to the last line, if there is none.
-  const std::optional<Failure>& failure() const { return failure_; }
-
- private:
-  std::string greet(const Words& words) const {
-    if (words != Words{"lgs-engine", "1"}) return "the greeting is 'lgs-engine 1'; this is the only version there is";
-    fmt::print("lgs-engine 1 {} {}\n", engine_.name(), print(engine_.can()));
-    return "";
-  }
-
-  std::string reset() {
-    preserve_ = {};
-    hasEdits_ = false;
-    engine_.reset(preserve_);
-    return "";
-  }
-
-  std::string preserve(const PreservePairs& more) {
-    if (!engine_.can().preserve)
-      return "CGAL alone can not judge a preserve relation; start lgs oracle with --oracle both or naive";
-    if (hasEdits_) return "preserve must stand before the first edit; reset begins a new world";
-    for (const auto& [a, b] : more.pairs()) preserve_.add(a, b);
-    engine_.reset(preserve_);
-    return "";
-  }
-
-  void make(const Call& edit) {
-    hasEdits_ = true;
-    if (edit.kind == Call::Kind::add) {
-      engine_.add(edit.name(), edit.polygon());
-    } else if (edit.kind == Call::Kind::remove) {
-      engine_.remove(edit.name());
-    } else {
-      commit();
-    }
-  }
-
-  void commit() {
-    const auto refusals = engine_.commit();
-    if (!refusals) {
-      failure_ = refusals.error();
-      return;
-    }
-    for (const auto& [name, reason] : *refusals) fmt::print("refused {} {}\n", name, reason);
-    fmt::print("{}end\n", dump(engine_.outline()));
-  }
-
-  Engine& engine_;
-  PreservePairs preserve_;
-  bool hasEdits_ = false;  // or commits, since the reset
-  std::optional<Failure> failure_;
-};
 
 // A bad line is answered where its sender looks for answers. The exit status tells of it too, to those who do not read.
 Status serve(const CheckOptions& options) {
   ReferenceEngine engine(options.naive, options.cgal);
-  Service service(engine);
+  Answers answers(engine);
   Status status = Status::fine;
   std::string line;
   for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (const std::string fault = service.take(line); !fault.empty()) {
-      status = Status::badInput;
-      fmt::print("error {}: {}\n", number, fault);
-    }
-    if (service.failure()) {
-      fmt::print(stderr, "MISMATCH at line {}: {}\n", number, service.failure()->text);
+    const Answer answer = answers.take(line);
+    if (answer.isOfBadLine) status = Status::badInput;
+    fmt::print("{}", answer.text);
+    if (answer.failure) {
+      fmt::print(stderr, "MISMATCH at line {}: {}\n", number, answer.failure->text);
       return Status::mismatch;
     }
     std::fflush(stdout);

@@ -3,7 +3,6 @@
 #include "oracle/check/report.h"
 #include "oracle/draw/draw.h"
 #include "oracle/generate/generator.h"
-#include "oracle/reference/words.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/plain_edits.h"
@@ -52,9 +51,7 @@ Status showEnd(const ReplayArguments& arguments, const Trace& trace, const Engin
   Player player(trace.preserve);
   if (const auto done = play(trace, player); !done) return complain(message(done.error(), arguments.trace));
   const Outline outline = engine != nullptr ? engine->outline() : outlineOf(player.world());
-  fmt::print(out, "{}: {} in {}, {}, {}\n", counted(editCount(trace), "edit"),
-             counted(player.world().stats().polygons, "polygon"), counted(player.world().stats().cells, "cell"),
-             counted(outline.size(), "segment"), counted(player.world().loops().size(), "loop"));
+  fmt::print(out, "{}", inWords(trace, player.world(), outline));
   Status status = Status::fine;
   if (!arguments.dump.empty()) status = write(arguments.dump, dump(outline));
   if (!arguments.save.empty()) status = worst(status, save(player.world(), arguments.save));
@@ -72,8 +69,7 @@ Status check(const ReplayArguments& arguments, const Trace& trace, const CheckOp
   const std::string& html = arguments.html;
   const Trace good = options.skipRefused ? withoutRefused(trace) : trace;
   if (!*mismatch) {
-    fmt::print(out, "checked {}, {} with CGAL, {} with the naive reference: no mismatch\n",
-               counted(stats.commits, "commit"), counted(stats.cgal, "time"), stats.naive);
+    fmt::print(out, "{}", inWords(stats));
     const Status status = showEnd(arguments, good, options.engine, draws, out);
     return html.empty() ? status : worst(status, write(html, page(good, arguments.trace)));
   }

@@ -52,9 +52,10 @@ ROOMS = {
     "addons/tiled/include": ["lib/include"],
     "addons/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "addons/tiled/include"],
     "web/bench": ["lib/include", "lib/brush/include"],
-    # The rules of terrains are compiled into the package, and the reference into the article.
+    # The rules of terrains and the checker are compiled into the package, and the reference into the article.
     "web/wasm": ["lib/include", "lib/brush/include", "addons/falling/include", "lib/views/include", "lib/pieces/include",
-                 "addons/tiled/include", "addons/box2d/include", "addons/box2d/src", "oracle/reference"],
+                 "addons/tiled/include", "addons/box2d/include", "addons/box2d/src", "oracle/reference", "oracle/trace",
+                 "oracle/check"],
     "addons/box2d/include": ["lib/include"],
     "addons/box2d/src": ["lib/include", "lib/geometry", "addons/box2d/include"],
     "addons/box2d/v2/names": [],

@@ -74,6 +74,18 @@ std::string inWords(const Failure& failure, std::string_view when) {
          (failure.log.empty() ? "" : fmt::format("its log ends:\n{}\n", failure.log));
 }
 
+std::string inWords(const CheckStats& stats) {
+  return fmt::format("checked {}, {} with CGAL, {} with the naive reference: no mismatch\n",
+                     counted(stats.commits, "commit"), counted(stats.cgal, "time"), stats.naive);
+}
+
+std::string inWords(const Trace& trace, const World& world, const Outline& outline) {
+  const Stats stats = world.stats();
+  return fmt::format("{}: {} in {}, {}, {}\n", counted(editCount(trace), "edit"), counted(stats.polygons, "polygon"),
+                     counted(stats.cells, "cell"), counted(outline.size(), "segment"),
+                     counted(world.loops().size(), "loop"));
+}
+
 std::string draw(const Mismatch& mismatch) {
   MismatchOptions options;
   const Shown shown(mismatch);

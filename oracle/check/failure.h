@@ -1,4 +1,4 @@
-// What a person gets to see of a failure: in words, as a trace that shows it again, and as a picture.
+// What a person gets to see of a check: in words, as a trace that shows a failure again, and as a picture.
 #pragma once
 
 #include "oracle/check/checker.h"
@@ -15,6 +15,12 @@ std::string describe(const Mismatch& mismatch, const Trace& trace);
 /// What an engine did that gave no answer: "the engine crashed with SIGSEGV after edit 3", and the end of its log.
 /// Whole lines.
 std::string inWords(const Failure& failure, std::string_view when = "");
+
+/// What was compared, where nothing was wrong. A whole line.
+std::string inWords(const CheckStats& stats);
+
+/// What stands at the end of a trace. A whole line.
+std::string inWords(const Trace& trace, const World& world, const Outline& outline);
 
 /// What shows a finding: an SVG picture, and a page for a browser.
 struct Views {

@@ -114,7 +114,7 @@ def of_c():
 # --- JavaScript
 
 # The modules that the package exports, and what of its other modules they pass on.
-MODULES = ["islands", "pieces", "trace", "draw", "planck", "box2d3"]
+MODULES = ["islands", "pieces", "trace", "oracle", "draw", "planck", "box2d3"]
 DECLARED = re.compile(r"^export (?:declare )?(?:const |function |class |interface )(\w+)", re.M)
 ARGUMENTS = r"\(((?:[^()]|\([^()]*\))*)\)"
 NOT_OURS = {"Box2D"}  # what a game hands in

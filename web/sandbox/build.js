@@ -11,7 +11,7 @@ await rm(here('dist'), { recursive: true, force: true })
 await mkdir(here('dist'))
 const { metafile } = await build({
   absWorkingDir: here('.'),
-  entryPoints: ['src/main.ts', 'src/worker.ts', 'src/import-worker.ts'],
+  entryPoints: ['src/main.ts', 'src/worker.ts', 'src/import-worker.ts', 'src/reference-worker.ts'],
   outdir: 'dist',
   bundle: true,
   format: 'esm',
@@ -37,5 +37,5 @@ await copyFile(here('../examples/digger.js'), here('dist/digger.js')) // to be r
 await mkdir(here('dist/scenes'))
 for (const file of ['cave.tmx', 'crate.tx', 'quarry.ldtk', 'landscape.tmx', 'landscape.tsx'])
   await copyFile(here(`../../examples/maps/${file}`), here(`dist/scenes/${file}`))
-for (const file of ['lgs-islands.wasm', 'lgs-full.wasm'])
+for (const file of ['lgs-islands.wasm', 'lgs-full.wasm', 'lgs-oracle.wasm'])
   await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))

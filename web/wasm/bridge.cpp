@@ -104,7 +104,8 @@ LGS_EXPORT("answerBytes") const std::byte* answerBytesAddress() { return answerB
 LGS_EXPORT("failure") const Failure* failureAddress() { return &failureOfLastCall; }
 
 LGS_EXPORT("make") Bridge* make(std::uint32_t relationNumber, std::int32_t isFloat) {
-  return new Bridge{.world = World(relation(relationNumber)), .isFloat = isFloat != 0};
+  return new Bridge{
+      .world = World(relation(relationNumber)), .shapes = ShapeNumbers::ofNewWorld(), .isFloat = isFloat != 0};
 }
 LGS_EXPORT("free") void release(Bridge* bridge) { delete bridge; }  // with its terrains
 
@@ -114,7 +115,7 @@ LGS_EXPORT("load") Bridge* load(std::size_t bytes, std::uint32_t relationNumber,
     keepFailure(world.error());
     return nullptr;
   }
-  return new Bridge{.world = std::move(*world), .isFloat = isFloat != 0};
+  return new Bridge{.world = std::move(*world), .shapes = ShapeNumbers::ofLoadedWorld(), .isFloat = isFloat != 0};
 }
 /// Returns the number of bytes in the answer.
 LGS_EXPORT("save") double save(const Bridge* bridge) {

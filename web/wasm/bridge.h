@@ -64,20 +64,40 @@ struct DropTerrain {
 
 inline const Changes kNoChanges;
 
+/// Numbers of shapes: those of different worlds differ in their upper bits, so a shape of another world names nothing. A
+/// world that was loaded takes any: the numbers are those of the world that was saved.
+class ShapeNumbers {
+ public:
+  static ShapeNumbers ofNewWorld() {
+    static std::uint32_t worlds = 0;
+    return {worlds++ % kWorlds << kBits, ~0u};
+  }
+  static ShapeNumbers ofLoadedWorld() { return {0, (1u << kBits) - 1}; }
+  std::uint32_t number(ShapeId shape) const { return shape.value ^ world_; }
+  ShapeId shape(std::uint32_t number) const { return {(number ^ world_) & taken_}; }
+
+ private:
+  ShapeNumbers(std::uint32_t world, std::uint32_t taken) : world_(world), taken_(taken) {}
+
+  static constexpr std::uint32_t kBits = 24, kWorlds = 128;  // a world has at most 2^23 shapes; addMany() takes 31 bits
+  std::uint32_t world_, taken_;
+};
+
 /// A world, and what it last handed out.
 struct Bridge {
   World world;
-  bool isFloat = false;                 ///< geometry is handed out as float
-  const Changes* last = &kNoChanges;    ///< of the last commit or roll-back
-  std::uint64_t moment = 0;             ///< how many of them have changed anything
-  bool isLastNews = false;              ///< whether the last one did, so that it leads here from the moment before
-  bool isEdited = false;                ///< whether edits wait for their commit
-  std::vector<Mark> marksInEdits = {};  ///< those that were made while edits waited
+  ShapeNumbers shapes;
+  bool isFloat = false;                   ///< geometry is handed out as float
+  const Changes* last = &kNoChanges;      ///< of the last commit or roll-back
+  std::uint64_t moment = 0;               ///< how many of them have changed anything
+  bool isLastNews = false;                ///< whether the last one did, so that it leads here from the moment before
+  bool isEdited = false;                  ///< whether edits wait for their commit
+  std::vector<Mark> marksInEdits = {};    ///< those that were made while edits waited
   std::optional<Transaction> group = {};  ///< edits that are undone together if one of them is refused
-  Block64 changes = {};                 ///< the same, as JavaScript reads it
-  Block64 segments = {};                ///< of the last question for segments
-  BrushResult brushed = {};             ///< what the last brush did
-  std::vector<SegmentId> ids = {};      ///< working memory of the lists
+  Block64 changes = {};                   ///< the same, as JavaScript reads it
+  Block64 segments = {};                  ///< of the last question for segments
+  BrushResult brushed = {};               ///< what the last brush did
+  std::vector<SegmentId> ids = {};        ///< working memory of the lists
   std::vector<DoubleSegment> doubles = {};
   std::vector<FloatSegment> floats = {};
   std::vector<std::unique_ptr<Terrain, DropTerrain>> terrains = {};

@@ -27,11 +27,16 @@ double orMinusOne(Bridge* bridge, const Expected<std::uint64_t>& count) {
 /// The vertices are in the input.
 LGS_EXPORT("shape") std::uint32_t shape(Bridge* bridge, std::size_t vertices) {
   const auto made = bridge->world.shape(inputPoints(vertices));
-  return made ? made->value : refused(made.error(), 0u);
+  return made ? bridge->shapes.number(*made) : refused(made.error(), 0u);
+}
+
+/// The number of the shape that is the world's so and so manyth, which need not be there.
+LGS_EXPORT("shapeNumber") std::uint32_t shapeNumber(Bridge* bridge, std::uint32_t shape) {
+  return bridge->shapes.number({shape});
 }
 
 LGS_EXPORT("add") double add(Bridge* bridge, std::int32_t i, std::int32_t j, std::uint32_t shape, Block block) {
-  return orZero(bridge, bridge->world.add({i, j}, ShapeId{shape}, block));
+  return orZero(bridge, bridge->world.add({i, j}, bridge->shapes.shape(shape), block));
 }
 
 /// Four integers an entry are in the input: i, j, shape, block. The answer has the handles.
@@ -41,7 +46,7 @@ LGS_EXPORT("addMany") std::int32_t addMany(Bridge* bridge, std::size_t entries) 
   placements.reserve(entries);
   for (std::size_t k = 0; k < numbers.size(); k += 4)
     placements.push_back({.cell = {numbers[k], numbers[k + 1]},
-                          .shape = {static_cast<std::uint32_t>(numbers[k + 2])},
+                          .shape = bridge->shapes.shape(static_cast<std::uint32_t>(numbers[k + 2])),
                           .block = static_cast<Block>(numbers[k + 3])});
   std::vector<PolygonHandle> handles(entries);
   if (const auto done = bridge->world.addMany(placements, handles); !isDone(bridge, done))
@@ -70,7 +75,7 @@ LGS_EXPORT("removeMany") std::int32_t removeMany(Bridge* bridge, std::size_t cou
 }
 
 LGS_EXPORT("replace") double replace(Bridge* bridge, std::int32_t i, std::int32_t j, std::uint32_t shape, Block block) {
-  return orZero(bridge, bridge->world.replace({i, j}, ShapeId{shape}, block));
+  return orZero(bridge, bridge->world.replace({i, j}, bridge->shapes.shape(shape), block));
 }
 
 LGS_EXPORT("setBlock") std::int32_t setBlock(Bridge* bridge, double polygon, Block block) {
@@ -80,7 +85,7 @@ LGS_EXPORT("setBlock") std::int32_t setBlock(Bridge* bridge, double polygon, Blo
 LGS_EXPORT("fill")
 double fill(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1, std::uint32_t shape,
             Block block) {
-  return orMinusOne(bridge, bridge->world.fill(rect(i0, j0, i1, j1), ShapeId{shape}, block));
+  return orMinusOne(bridge, bridge->world.fill(rect(i0, j0, i1, j1), bridge->shapes.shape(shape), block));
 }
 
 LGS_EXPORT("clear") double clear(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) {

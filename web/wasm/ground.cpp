@@ -34,9 +34,7 @@ class Numbers {
   std::span<const double> in_;
 };
 
-void putCell(Cell cell) {
-  answer().insert(answer().end(), {static_cast<double>(cell.i), static_cast<double>(cell.j)});
-}
+void putCell(Cell cell) { answer().insert(answer().end(), {static_cast<double>(cell.i), static_cast<double>(cell.j)}); }
 
 Rock rockIn(Numbers& in) {
   Rock rock;
@@ -53,8 +51,7 @@ Rock rockIn(Numbers& in) {
 
 void putRock(const Rock& rock) {
   const auto& [origin, cosine, sine] = rock.placing;
-  answer().insert(answer().end(),
-                  {origin.x, origin.y, cosine, sine, rock.velocity.x, rock.velocity.y, rock.spin});
+  answer().insert(answer().end(), {origin.x, origin.y, cosine, sine, rock.velocity.x, rock.velocity.y, rock.spin});
   putBody(rock.ground);
 }
 
@@ -91,9 +88,9 @@ LGS_EXPORT("saveGround") double saveGroundOf(const Bridge* bridge, std::size_t n
                     }};
   auto& out = answerBytes();
   out.clear();
-  const auto done =
-      saveGround(bridge->world, shelf, rocks, land,
-                 [&out](std::span<const std::byte> part) { out.insert(out.end(), part.begin(), part.end()); });
+  const auto done = saveGround(bridge->world, shelf, rocks, land, [&out](std::span<const std::byte> part) {
+    out.insert(out.end(), part.begin(), part.end());
+  });
   if (!done) return refused(done.error(), -1.0);
   return static_cast<double>(out.size());
 }
@@ -128,7 +125,8 @@ Bridge* loadGroundOf(std::size_t bytes, std::uint32_t relationNumber, std::int32
   numbers.push_back(static_cast<double>(shelved.size() / 3));
   numbers.insert(numbers.end(), shelved.begin(), shelved.end());
   numbers.front() = static_cast<double>(numbers.size());
-  return new Bridge{.world = std::move(loaded->world), .isFloat = isFloat != 0};
+  return new Bridge{
+      .world = std::move(loaded->world), .shapes = ShapeNumbers::ofLoadedWorld(), .isFloat = isFloat != 0};
 }
 
 }  // namespace lgs::web

@@ -12,6 +12,7 @@ await rm('dist', { recursive: true, force: true })
 await mkdir('dist')
 for (const name of ['lgs.wasm', 'lgs-full.wasm', 'lgs-islands.wasm']) await copyFile(built('web', name), `dist/${name}`)
 await copyFile(built('web-small', 'lgs.wasm'), 'dist/lgs-small.wasm')
+await copyFile(built('web-small', 'lgs-oracle.wasm'), 'dist/lgs-oracle.wasm')
 
 /** The code of WebAssembly as text, in the place of src/wasm.ts and src/wasm-islands.ts. */
 const inlined = {
@@ -23,13 +24,14 @@ const inlined = {
   },
 }
 
-/** What a module has besides init(), and the code that its init() loads. */
+/** What a module has besides init(), the code that its init() loads, and what starts that. */
 const loading = {
   index: ['lgs', "export * from './src/api.js'"],
   small: ['lgs-small', "export * from './src/api.js'"],
   full: ['lgs-full', "export * from './src/api.js'; export { importMap } from './src/maps.js'"],
   islands: ['lgs-islands', "export * from './src/islands-api.js'"],
   pieces: ['lgs-islands', "export * from './src/api.js'; export { Pieces } from './src/piece-view.js'"],
+  oracle: ['lgs-oracle', "export { answer, check, outline, page } from './src/oracle-api.js'", 'oracle-api'],
 }
 /** Their init() elsewhere, by the conditions of package.json. Browsers see no word of Node; and Cloudflare's workers
  *  compile nothing, but import the code as a module. */
@@ -46,12 +48,12 @@ const conditions = {
     onResolve({ filter: /^(node|workerd)\/\w+$/ }, ({ path }) => ({ path, namespace: 'conditions' }))
     onResolve({ filter: /^node:|\.wasm$/ }, ({ path }) => ({ path, external: true }))
     onLoad({ filter: /./, namespace: 'conditions' }, ({ path }) => {
-      const [condition, name] = path.split('/'), [code, exports] = loading[name]
-      return { resolveDir: root, contents: `import { start } from './src/engine.js'\n${exports}\n${elsewhere[condition](code)}` }
+      const [condition, name] = path.split('/'), [code, exports, starter = 'engine'] = loading[name]
+      return { resolveDir: root, contents: `import { start } from './src/${starter}.js'\n${exports}\n${elsewhere[condition](code)}` }
     })
   },
 }
-const entries = ['index', 'inline', 'inline-islands', 'small', 'full', 'islands', 'pieces', 'trace', 'draw', 'planck', 'box2d3']
+const entries = ['index', 'inline', 'inline-islands', 'small', 'full', 'islands', 'pieces', 'oracle', 'trace', 'draw', 'planck', 'box2d3']
 await build({
   entryPoints: [...entries.map((name) => ({ in: `src/${name}.ts`, out: name })),
     ...Object.keys(elsewhere).flatMap((condition) =>

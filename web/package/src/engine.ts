@@ -18,6 +18,7 @@ export interface Exports {
   save(world: number): number
   free(world: number): void
   shape(world: number, vertices: number): number
+  shapeNumber(world: number, shape: number): number
   add(world: number, i: number, j: number, shape: number, block: number): number
   addMany(world: number, entries: number): number
   addPolygon(world: number, i: number, j: number, vertices: number, block: number): number

@@ -1,7 +1,7 @@
 // A Ground on a canvas.
-import { bad, object, reals } from './check.js'
+import { bad, finite, object, options as known, within } from './check.js'
 import type { GroundDrawing, Rock } from './ground-types.js'
-import type { Block } from './types.js'
+import type { Block, CellRect } from './types.js'
 
 interface Drawn {
   readonly outline: Path2D
@@ -21,32 +21,70 @@ const byBlock = (fills: readonly { block: Block; vertices: ArrayLike<number> }[]
   [...new Set(fills.map(({ block }) => block))].map((block) =>
     [block, pathOf(fills.filter((fill) => fill.block === block).map(({ vertices }) => vertices), true)] as const)
 
+export interface PictureOptions {
+  /** What is in the lower left corner, in cells: 0, 0, if it is not given. */
+  readonly x?: number
+  readonly y?: number
+  /** Of a cell, in pixels of the page: 24, if it is not given. */
+  readonly size?: number
+  /** The colour of the outline. */
+  readonly line?: string
+}
+
+const leastSize = 0.1, mostSize = 10_000
+
 /** What a Ground looks like, and its rocks, each block in its colour. Only what changed is made anew; all is drawn. */
 export class GroundPicture {
+  /** What is in the lower left corner, in cells, and the size of a cell in pixels of the page: yours to change. */
+  x: number
+  y: number
+  size: number
   readonly #ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }
+  readonly #canvas: HTMLCanvasElement
   readonly #colours: Readonly<Record<number, string>>
   readonly #line: string
   readonly #squares = new Map<string, Drawn>()
   readonly #rocks = new WeakMap<object, Drawn>()
 
-  /** It is told what changed by ground.draw(), which nobody else must ask then. `line` is the colour of the outline. */
-  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, colours: Readonly<Record<number, string>>, line: string = '#2b2320') {
+  /** It is told what changed by ground.draw(), which nobody else must ask then. */
+  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, canvas: HTMLCanvasElement, colours: Readonly<Record<number, string>>, options: PictureOptions = {}) {
     if (typeof ground?.draw !== 'function' || typeof ground.rocks !== 'function') throw bad('ground', 'a Ground', ground)
+    if (typeof canvas?.getContext !== 'function') throw bad('canvas', 'a canvas', canvas)
+    const { x = 0, y = 0, size = 24, line = '#2b2320' } = known('options', ['x', 'y', 'size', 'line'], options)
     if (typeof line !== 'string') throw bad('line', 'a colour', line)
     this.#ground = ground
+    this.#canvas = canvas
     this.#colours = object('colours', 'a colour for each block', colours)
     this.#line = line
+    this.x = finite('x', x)
+    this.y = finite('y', y)
+    this.size = within('size', size, leastSize, mostSize)
   }
 
-  /** The transform is that of a context, from cells to pixels: [scale, 0, 0, -scale, 0, height] for y up. */
-  draw(context: CanvasRenderingContext2D, transform: readonly [number, number, number, number, number, number]): void {
-    const numbers = reals('transform', transform)
+  /** Where a pointer is, in cells. */
+  at(pointer: { readonly offsetX: number; readonly offsetY: number }): [number, number] {
+    const { offsetX, offsetY } = object('pointer', 'an event of a pointer', pointer)
+    return [this.x + offsetX / this.size, this.y + (this.#canvas.clientHeight - offsetY) / this.size]
+  }
+
+  /** What is seen: for Ground.window(). */
+  get cells(): CellRect {
+    const { clientWidth, clientHeight } = this.#canvas, { x, y, size } = this
+    return { i0: Math.floor(x), j0: Math.floor(y), i1: Math.floor(x + clientWidth / size), j1: Math.floor(y + clientHeight / size) }
+  }
+
+  /** All of the canvas, which gets as many pixels as the screen has there. */
+  draw(): void {
+    const canvas = this.#canvas, context = canvas.getContext('2d')!, ratio = globalThis.devicePixelRatio ?? 1
+    const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio), scale = this.size * ratio
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height })
     for (const { key, fills, lines } of this.#ground.draw()) {
       if (fills.length === 0 && lines.length === 0) this.#squares.delete(key)
       else this.#squares.set(key, { outline: pathOf(lines, false), fills: byBlock(fills) })
     }
+    context.clearRect(0, 0, width, height)
     context.save()
-    context.setTransform(...(numbers as [number, number, number, number, number, number]))
+    context.setTransform(scale, 0, 0, -scale, -scale * this.x, height + scale * this.y)
     context.lineJoin = context.lineCap = 'round'
     for (const { fills } of this.#squares.values()) this.#fill(context, fills)
     for (const { outline } of this.#squares.values()) this.#stroke(context, outline, 0.07)

@@ -4,7 +4,7 @@ import { LgsError } from './error.js'
 import type { Trace } from './trace.js'
 import { type Coming, type Edit, type Named, type TraceShape, badTrace } from './trace-text.js'
 import type { BrushResult, CellRect, Mark, PolygonId, World } from './types.js'
-import { loadWorld, optionsOf } from './world.js'
+import { loadWorld, optionsOf, shapeOf } from './world.js'
 
 interface Moment {
   readonly mark: Mark
@@ -187,7 +187,7 @@ export class TracePlayer {
 
   // --- What is placed
 
-  #shape(shape: TraceShape): number { return 'id' in shape ? shape.id : this.#world.shape(shape.vertices) }
+  #shape(shape: TraceShape): number { return 'id' in shape ? shapeOf(this.#world, shape.id) : this.#world.shape(shape.vertices) }
 
   #many(comes: readonly Coming[], line: number): void {
     for (const { name } of comes) this.#free(name, line)

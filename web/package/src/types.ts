@@ -8,7 +8,8 @@
  */
 export type Id<Kind extends string> = number & { readonly isA?: Kind }
 
-/** A polygon that was validated once: see World.shape(). */
+/** A polygon that was validated once: see World.shape(). One of another world is refused, as 'unknown-shape'; a world that
+ *  was loaded takes those of the world that was saved. */
 export type ShapeId = Id<'shape'>
 /** A placed polygon. It is a safe integer. Once the polygon is removed, its id never names another one. */
 export type PolygonId = Id<'polygon'>

@@ -104,6 +104,12 @@ class EngineWorld implements World {
     if (this.#isInGroup) throw new LgsError('busy', 'what is one stroke must only edit the world')
   }
 
+  /** The id of its so and so manyth shape. */
+  static shapeOf(world: World, nth: number): ShapeId {
+    const own = world as EngineWorld
+    return own.#call.shapeNumber(own.#live, nth) >>> 0
+  }
+
   /** What it was made with, for another one like it. */
   static optionsOf(world: World): WorldOptions { return (world as EngineWorld).#options }
 
@@ -338,7 +344,7 @@ class EngineWorld implements World {
   [inspect](): unknown { return shown('World', this.#world === 0 || this.#engine.ended ? { freed: true } : this.stats()) }
 }
 
-export const { group, placeOf, optionsOf } = EngineWorld
+export const { group, placeOf, optionsOf, shapeOf } = EngineWorld
 
 /** For modules of this package: a world that the engine makes in another way. */
 export const worldOf = (make: Maker, options: WorldOptions): World => new EngineWorld(make, options)

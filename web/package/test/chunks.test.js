@@ -31,14 +31,13 @@ test('what is loaded shows, reads and answers what it does in the whole world', 
   const edit = fc.record({ what: fc.nat(9), i: near, j: near, shape: fc.nat(3), block: fc.nat(2), ci: fc.integer({ min: -2, max: 1 }), cj: fc.integer({ min: -2, max: 1 }) })
   const holds = (edits) => {
     const part = createWorld(), whole = createWorld()
-    const ids = shapes.map((shape) => [part, whole].map((world) => world.shape(shape))[0])
     const away = new Map()
     const isHere = (i, j) => !away.has(`${i >> 5},${j >> 5}`)
     for (const { what, i, j, shape, block, ci, cj } of edits) {
       if (what < 6 && isHere(i, j)) {
-        for (const world of [part, whole]) what < 5 ? world.replace(i, j, ids[shape], block) : world.clear(i, j)
+        for (const world of [part, whole]) what < 5 ? world.replace(i, j, world.shape(shapes[shape]), block) : world.clear(i, j)
       } else if (what < 6) {
-        refuses('unloaded', () => part.add(i, j, ids[0], 1), { cell: { i, j } })
+        refuses('unloaded', () => part.add(i, j, part.shape(shapes[0]), 1), { cell: { i, j } })
       } else if (what < 8) {
         const key = `${ci},${cj}`
         if (away.has(key)) {

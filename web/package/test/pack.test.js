@@ -21,11 +21,11 @@ after(() => rmSync(folder, { recursive: true }))
 
 test('the package holds what it should, and nothing else', () => {
   const names = packed.files.map(({ path }) => path)
-  const modules = ['index', 'inline', 'inline-islands', 'small', 'full', 'islands', 'pieces', 'trace', 'draw', 'planck', 'box2d3']
+  const modules = ['index', 'inline', 'inline-islands', 'small', 'full', 'islands', 'pieces', 'oracle', 'trace', 'draw', 'planck', 'box2d3']
   const wanted = ['LICENSE', 'NOTICES.md', 'README.md', 'package.json', 'dist/lgs.wasm', 'dist/lgs-small.wasm',
-    'dist/lgs-full.wasm', 'dist/lgs-islands.wasm',
+    'dist/lgs-full.wasm', 'dist/lgs-islands.wasm', 'dist/lgs-oracle.wasm',
     ...modules.flatMap((name) => [`dist/${name}.js`, `dist/${name}.js.map`, `dist/${name}.d.ts`]),
-    ...['index', 'small', 'full', 'islands', 'pieces'].flatMap((name) => ['node', 'workerd'].flatMap((where) =>
+    ...['index', 'small', 'full', 'islands', 'pieces', 'oracle'].flatMap((name) => ['node', 'workerd'].flatMap((where) =>
       [`dist/${name}.${where}.js`, `dist/${name}.${where}.js.map`]))]
   for (const name of wanted) assert.ok(names.includes(name), name)
   const others = names.filter((name) => !wanted.includes(name))
@@ -42,8 +42,9 @@ test('what a module does not need is no error: subpaths where `exports` is not k
   put('old.ts', `import { createWorld, type World } from 'localgridseg'
     import { Islands } from 'localgridseg/islands'
     import { init } from 'localgridseg/inline-islands'
+    import { outline } from 'localgridseg/oracle'
     import { parseTrace } from 'localgridseg/trace'
-    export const all = [init, Islands, parseTrace, (): World => createWorld()]`)
+    export const all = [init, Islands, outline, parseTrace, (): World => createWorld()]`)
   const tsc = fileURLToPath(import.meta.resolve('typescript/bin/tsc'))
   execFileSync(process.execPath, [tsc, '--noEmit', '--strict', '--module', 'es2022', '--moduleResolution', 'node10', '--target', 'es2022',
     '--lib', 'es2022,dom,esnext.disposable', '--ignoreDeprecations', '5.0', 'old.ts'], { cwd: project, encoding: 'utf8', stdio: ['ignore', 'inherit', 'inherit'] })

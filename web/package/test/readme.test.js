@@ -16,10 +16,16 @@ test('the example of the README', () => {
 test('the other examples of the README run, one after the other', () => {
   const page = readFileSync(new URL('../README.md', import.meta.url), 'utf8')
   const blocks = [...page.matchAll(/```js\n([^]*?)```/g)].map(([, code]) => code).filter((code) => !code.includes('vite.config'))
-  assert.equal(blocks.length, 7, "blocks")
+  assert.equal(blocks.length, 8, "blocks")
   const code = blocks.join('').replace('world.free()\n', '').replaceAll("from 'localgridseg'", "from 'localgridseg/islands'")
   const cwd = fileURLToPath(new URL('.', import.meta.url))
   assert.match(execFileSync(process.execPath, ['--input-type=module', '-e', code], { cwd, encoding: 'utf8' }), /^1 falls$[^]*^0 fall$[^]*^1 island$[^]*triangles/m)
+})
+
+test('the game of the README is the example', () => {
+  const [page, example] = ['../README.md', '../../examples/digger.js'].map((name) => readFileSync(new URL(name, import.meta.url), 'utf8'))
+  const [, code] = /```ts\n([^]*?)```/.exec(page)
+  assert.ok(example.includes(code))
 })
 
 test('no link leads to a place that is not there', () => {

@@ -1,7 +1,7 @@
 // What is refused: bad polygons by the engine, arguments of the wrong kind before they reach it. Nothing changes then.
 import assert from 'node:assert/strict'
 import { before, beforeEach, test } from 'node:test'
-import { LgsError, circle, createWorld, init, rectangle, thickLine, unitSquare } from 'localgridseg'
+import { LgsError, circle, createWorld, init, loadWorld, rectangle, thickLine, unitSquare } from 'localgridseg'
 
 before(() => init())
 let world, square
@@ -41,6 +41,17 @@ test('edits that do not fit', () => {
   refuses('overlap', () => world.add(0, 0, square, 1), { cell: { i: 0, j: 0 }, otherBlock: 1 })
   refuses('overlap', () => world.fill({ i0: -1, j0: 0, i1: 1, j1: 0 }, square, 1))
   refuses('unknown-shape', () => world.add(1, 0, 77, 1))
+  const other = createWorld(), theirs = other.shape(unitSquare)
+  refuses('unknown-shape', () => world.add(1, 0, theirs, 1))
+  refuses('unknown-shape', () => world.replace(1, 0, theirs, 1))
+  refuses('unknown-shape', () => world.addMany(Int32Array.of(1, 0, theirs, 1)))
+  refuses('unknown-shape', () => other.fill({ i0: 1, j0: 0, i1: 1, j1: 0 }, square, 1))
+  const loaded = loadWorld(other.save())
+  loaded.add(1, 0, theirs, 1)
+  loaded.commit()
+  assert.equal(loadWorld(loaded.save()).shape(unitSquare), loaded.shape(unitSquare))
+  loaded.free()
+  other.free()
   refuses('cell-out-of-range', () => world.add(2 ** 30 + 1, 0, square, 1))
   refuses('cell-out-of-range', () => world.clear({ i0: -(2 ** 31), j0: 0, i1: 0, j1: 0 }))
   assert.equal(world.stats().polygons, 1)

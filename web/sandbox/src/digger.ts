@@ -29,9 +29,6 @@ export class Digger {
     this.#section.hidden = false
     const show = element<HTMLInputElement>('dig-show')
     show.checked = innerWidth > wide
-    const ratio = Math.min(2, devicePixelRatio), { clientWidth, clientHeight } = this.#canvas
-    Object.assign(this.#canvas, { width: clientWidth * ratio, height: clientHeight * ratio })
-    Object.assign(this.#canvas.style, { width: `${clientWidth}px`, height: `${clientHeight}px` }) // it stays as it is
     this.ground = await digger(this.#canvas, this.#size)
     onClick('dig-more', () => {
       this.#section.hidden = true
@@ -86,13 +83,13 @@ export class Digger {
       return
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
-    const x = (8.6 + 5.6 * k) * this.#size, y = clientHeight * 0.62
+    const x = (9.4 + 6.2 * k) * this.#size, y = clientHeight - 8.5 * this.#size
     const at: [number, number] = [x + this.#size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2, y]
     this.#show(...at)
     if (time > 0) this.#touch(...(last ?? at), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
-    if (isCut && (8.6 + 5.6 * next + 2.4) * this.#size > clientWidth) return
+    if (isCut && (9.4 + 6.2 * next + 2.4) * this.#size > clientWidth) return
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
   }
 

@@ -9,6 +9,8 @@ import type { ImportAnswer, Imported } from './import-worker.js'
 export interface Document {
   readonly world: World
   readonly preserve: Pairs
+  /** The text that it was opened from, if it was a trace. */
+  readonly trace?: string
 }
 
 /** What was opened, and the file that it was in. */
@@ -54,7 +56,7 @@ export function openTrace(text: string): Document {
     player.world.free()
     throw error
   }
-  return { world: player.world, preserve }
+  return { world: player.world, preserve, trace: text }
 }
 
 export function newDocument(preserve = keptPairs): Document {

@@ -1,11 +1,13 @@
 // The controls of the page that are not of a tool.
 import type { CellRect } from 'localgridseg'
+import { dump } from 'localgridseg/trace'
 import { Facts } from './facts.js'
 import { choose, element, onClick, radios } from './dom.js'
 import { openFiles, openTrace, traceText } from './documents.js'
 import type { Game, View } from './game.js'
 import type { Loop } from './loop.js'
 import { Recompute } from './recompute.js'
+import { askReference, differences } from './reference.js'
 import { sceneOf } from './scenes/all.js'
 import { ScenePanel } from './scenes/panel.js'
 import { copied, download, fromHash, toHash } from './share.js'
@@ -171,6 +173,7 @@ export class Ui {
     onClick('copy', () => void this.#copyTrace())
     onClick('share', () => void this.#share())
     onClick('check', () => void this.#check())
+    onClick('steps', () => void this.#steps())
     const input = element<HTMLInputElement>('file')
     onClick('open', () => input.click())
     input.addEventListener('change', () => {
@@ -226,29 +229,38 @@ export class Ui {
     if (this.#game.ground.world.stats().polygons > mostRecomputed) return
     const { document } = this.#game.ground
     const isStill = () => document === this.#game.ground.document
-    const all = await this.#recompute.run(() => this.#game.ground.world, false)
+    const all = await this.#recompute.run(() => this.#game.ground.world)
     if (all.error !== null || !isStill()) return
     this.#facts.recomputed(all.time, null)
     if (this.#touched === null) return
-    const chunks = await this.#recompute.run(() => this.#game.ground.world, false, chunksOf(this.#touched))
+    const chunks = await this.#recompute.run(() => this.#game.ground.world, chunksOf(this.#touched))
     if (chunks.error === null && isStill()) this.#facts.recomputed(all.time, chunks.time)
   }
 
   async #check(): Promise<void> {
-    const { time, differences, error } = await this.#recompute.run(() => {
-      this.#game.ground.commit()
-      return this.#game.ground.world
-    }, true)
-    if (error !== null) return this.#say(`polygon-clipping failed: ${error}`)
-    this.#facts.recomputed(time, null)
-    this.#viewer.differences = differences!
-    const count = differences!.length / 4
-    const { length } = this.#game.ground.world.segments()
-    this.#say(
-      count === 0
-        ? `The outline of ${length} segments is that of the full recompute.`
-        : `The outline differs in ${count} places, drawn thick.`,
-    )
+    await this.#try(async () => {
+      const { ground } = this.#game
+      ground.commit()
+      const shown = dump(ground.world)
+      this.#say('The naive reference is asked.')
+      const found = differences(shown, await askReference({ what: 'outline', trace: traceText(ground.document) }))
+      this.#viewer.differences = found
+      this.#say(
+        found.length === 0
+          ? `No mismatch: the ${ground.world.stats().segments} segments, with their ghosts, are those of the naive reference.`
+          : `MISMATCH with the naive reference: ${found.length / 4} segments, drawn thick.`,
+      )
+    })
+  }
+
+  // A trace as it was opened, and otherwise the ground. The tab must be opened before anything is waited for.
+  async #steps(): Promise<void> {
+    const { document, isEdited } = this.#game.ground, tab = window.open('', '_blank')
+    const trace = (isEdited ? undefined : document.trace) ?? traceText(document)
+    await this.#try(async () => {
+      const page = await askReference({ what: 'page', trace })
+      if (tab) tab.location = URL.createObjectURL(new Blob([page], { type: 'text/html' }))
+    })
   }
 
   // Another document; `scene` is its name in the menu.

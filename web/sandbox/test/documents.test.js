@@ -43,7 +43,7 @@ test('maps of Tiled and LDtk are opened', () =>
       await page.locator('#file').setInputFiles(files.map((name) => maps + name))
       await message(page, new RegExp(`${files[0]}: \\d\\d+ polygons`))
       await page.locator('#check').click()
-      await message(page, /is that of the full recompute/)
+      await message(page, /No mismatch: the \d\d+ segments/)
     }
     await page.locator('#file').setInputFiles([`${maps}landscape.tmx`])
     await message(page, /landscape\.tsx/)
@@ -160,7 +160,7 @@ test('share puts the ground into the address, and the address opens it', async (
 test('check finds a difference if there is one', () =>
   browser.onPage(async (page) => {
     await page.locator('#check').click()
-    await message(page, /is that of the full recompute/)
+    await message(page, /No mismatch/)
     await page.evaluate(() => {
       const { world } = window.sandbox.game.ground
       const segments = world.segments.bind(world)
@@ -171,5 +171,19 @@ test('check finds a difference if there is one', () =>
       }
     })
     await page.locator('#check').click()
-    await message(page, /differs in \d+ places/)
+    await message(page, /MISMATCH with the naive reference: \d+ segments/)
   }))
+
+test('a trace in the address is checked, and stepped through', () =>
+  browser.onPage(
+    async (page) => {
+      await page.locator('#check').click()
+      await message(page, /No mismatch: the \d segments/)
+      const opened = page.waitForEvent('popup')
+      await page.locator('#steps').click()
+      const steps = await opened
+      await steps.waitForFunction(() => document.title.includes('trace'))
+      assert.match(await steps.content(), /add b 1 0 2/)
+    },
+    { hash: `#plain=${encodeURIComponent(trace)}` },
+  ))

@@ -11,6 +11,7 @@ import fc from 'fast-check'
 import * as full from 'localgridseg/full'
 import * as islands from 'localgridseg/islands'
 import * as pieces from 'localgridseg/pieces'
+import * as oracle from 'localgridseg/oracle'
 import * as trace from 'localgridseg/trace'
 import * as draw from 'localgridseg/draw'
 import * as planck from 'localgridseg/planck'
@@ -19,7 +20,7 @@ import { LgsError, createWorld } from 'localgridseg/islands'
 import { Mine, Scene, seen, valuesFor } from './values.js'
 
 const scale = Number(process.env.LGS_TEST_SCALE ?? 1)
-const modules = { '': full, islands, pieces, trace, draw, planck, box2d3 }
+const modules = { '': full, islands, pieces, trace, oracle, draw, planck, box2d3 }
 
 /** The types of arguments: commas within brackets part none. */
 function split(text) {

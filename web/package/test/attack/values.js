@@ -70,7 +70,7 @@ const ofType = {
   '{ draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }': [{ draw: () => [], rocks: () => [] }, {}],
   'Readonly<Record<number, string>>': [{ 1: 'red' }, {}],
   'readonly [number, number, number, number, number, number]': [[1, 0, 0, 1, 0, 0]],
-  CanvasRenderingContext2D: [new Proxy({}, { get: () => () => {}, set: () => true })],
+  HTMLCanvasElement: [{ getContext: () => new Proxy({}, { get: () => () => {}, set: () => true }), clientWidth: 20, clientHeight: 9 }],
   'Int32Array': ({ square: shape }) => rowsOf(shape),
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   IslandId: (s) => [1, 0, 2, 999, 2 ** 32 - 1],
@@ -108,13 +108,15 @@ const ofType = {
   'readonly (readonly [Block, Block])[]': [[], [[1, 2]], [7]],
   'readonly GroundPolygon[]': [ground.polygons, [], [null], [{ i: 0, j: 0, block: 1, vertices: [0, 0, NaN, 0, 1, 1] }], [{ i: 2 ** 31 - 1, j: -(2 ** 31), block: -1, vertices: square }]],
   string: ['a.tmx', 'b.tmx', 'c.tmx', 'd.tmj', '../a.tmx', trace, 'lgs-trace 2\npaint 1 over 0 0', 'lgs-trace 1\nadd a 0 0 1 1/0 0'],
+  PictureOptions: [{}, { x: 3, y: -2, size: 9, line: 'red' }, { size: 0 }, { x: NaN }, { line: 7 }, { scale: 2 }],
   '{ merge?: boolean }': [{}, { merge: true }],
   '{ readonly i: number; readonly j: number }': cells,
+  '{ readonly offsetX: number; readonly offsetY: number }': [{ offsetX: 3, offsetY: 4 }, {}],
   '{ readonly polygons: readonly GroundPolygon[] }': [ground, { polygons: [] }, { polygons: [null] }, { polygons: 7 }],
   '{ x: number; y: number; angle: number }': places,
 }
 /** Of these a game hands in what the physics engine or the browser gave it: nothing is promised for anything else. */
-const ofPhysics = ['Body', 'Box2D', 'CanvasRenderingContext2D', 'Fixture', 'Fixture | Contact', 'ObjectId', 'Physics', 'PhysicsId']
+const ofPhysics = ['Body', 'Box2D', 'HTMLCanvasElement', 'Fixture', 'Fixture | Contact', 'ObjectId', 'Physics', 'PhysicsId']
 /** In the terrain for Box2D a body is an id of its module. */
 const ofBox2d = { Body: (s) => [s.box2d.body] }
 /** In the ground without physics it is how a rock lies and moves. */
@@ -176,7 +178,7 @@ export class Scene {
       receivers.GroundHashes = new GroundHashes(world)
       this.other.hashes = new GroundHashes(other)
     }
-    if (needs('draw/')) Object.assign(receivers, { GroundPicture: new GroundPicture({ draw: () => [], rocks: () => [] }, {}), OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
+    if (needs('draw/')) Object.assign(receivers, { GroundPicture: new GroundPicture({ draw: () => [], rocks: () => [] }, ofType.HTMLCanvasElement[0], {}), OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
     if (needs('ImportedMap')) receivers.ImportedMap = importMap('a.tmx', ofType.MapFiles[0], { solid: true })
     if (needs('GroundHashes')) {
       receivers.GroundHashes = new GroundHashes(world)

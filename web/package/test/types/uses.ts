@@ -13,6 +13,7 @@ import {
   type Foreseen, type GroundDrawing, type GroundOptions, type IslandChanges, type IslandId, type IslandPair, type Mass, Ground as BareGround,
 } from 'localgridseg/islands'
 import { Pieces, init as initPieces, type PieceId, type Portal, type SolidPiece } from 'localgridseg/pieces'
+import { answer, check, init as initOracle, outline, page, type Checked } from 'localgridseg/oracle'
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
 import { FallingGround, Ground as PlanckGround, PlanckTerrain, cutOut, type Caught, type Falling } from 'localgridseg/planck'
 import { Box2dTerrain, FallingGround as Box2dFalling, type Box2D, type Falling as Box2dFallen, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
@@ -30,6 +31,11 @@ export async function starts(module: WebAssembly.Module, bytes: Uint8Array<Array
   await initFull({ module })
   await initIslands({ url: '/lgs-islands.wasm' })
   await initPieces()
+  await initOracle()
+  const checked: Checked = check('lgs-trace 1')
+  const texts: string[] = [answer('commit'), outline('lgs-trace 1'), page('lgs-trace 1', 'name'), checked.report]
+  // @ts-expect-error: a text
+  if (checked.isRight) answer(texts)
   // @ts-expect-error: not a path
   await init('/lgs.wasm')
   // @ts-expect-error: nothing to say
@@ -305,7 +311,10 @@ export function groundOf(physics: Planck, saved: Uint8Array): number {
   using ground = new PlanckGround(physics, options, { cellSize: 0.5, merge: true }, { density: () => 2 })
   // @ts-expect-error: it has another name
   new BareGround({ anchor: {} })
-  new GroundPicture(ground, { 1: 'red', 2: '#00f' }).draw(document.createElement('canvas').getContext('2d')!, [1, 0, 0, -1, 0, 9])
+  const picture = new GroundPicture(ground, document.createElement('canvas'), { 1: 'red', 2: '#00f' }, { size: 20, line: 'black' })
+  addEventListener('pointermove', (event) => picture.at(event))
+  ground.window(picture.cells)
+  picture.draw()
   ground.dig(1, 2, 3)
   ground.dig(circle(1, 2, 3))
   ground.paint(1, 2, 3, 4, 'replace')
