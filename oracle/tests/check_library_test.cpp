@@ -31,7 +31,7 @@ constexpr GeneratorOptions kOfCalls{.width = 3, .height = 3, .edits = 60, .isOfC
 
 TEST(CheckStatistics, CountCallsAndRefusals) {
   CheckStats stats;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) EXPECT_FALSE(checked(randomCase(kOfCalls, seed), {}, stats));
+  for (std::uint64_t seed = 0; seed < 80; ++seed) EXPECT_FALSE(checked(randomCase(kOfCalls, seed), {}, stats));
   for (std::size_t k = 0; k < Call::kKinds; ++k) {
     const auto kind = static_cast<Call::Kind>(k);
     const bool isElsewhere = kind == Call::Kind::commit || kind == Call::Kind::brush;
