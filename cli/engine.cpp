@@ -105,6 +105,7 @@ const char* const kEngineHelp =
     "  preserve B1 B2                     nothing; only right after reset\n"
     "  add NAME I J BLOCK X Y X Y ...     nothing; coordinates are exact decimals\n"
     "  remove NAME                        nothing\n"
+    "  paint BLOCK fill|replace X Y ... | X Y ..., carve X Y ...   nothing; only to engines with regions\n"
     "  commit                             'refused NAME REASON' for each refused edit; the whole outline as lines\n"
     "                                     of a dump, in any order; 'island X Y AREA2' for each island; then 'end'\n"
     "  the end of its input               nothing, and ends with status 0\n"
@@ -115,6 +116,7 @@ const char* const kEngineHelp =
     "  refuses            it refuses bad edits       squares    (only) whole squares\n"
     "  islands            it names islands           merged     it joins collinear neighbours\n"
     "  lattice=N          (only) coordinates in 1/N cell        cells=N  (only) cells within ±N\n"
+    "  regions            (only) strokes of brushes             round=N  regions may be N units off\n"
     "Which edits it refuses is compared, not its reasons; and its outline. A wrong line, a late answer, an end or\n"
     "a crash is a mismatch like any other.";
 

@@ -49,7 +49,9 @@ tl::expected<std::unique_ptr<TableEngine>, std::string> TableEngine::make(const 
   if (!isWhole) return tl::unexpected<std::string>("a pointer of its table is null");
   const auto can = parseCapabilities(table->capabilities);
   if (!can) return tl::unexpected(can.error());
-  if (can->islands) return tl::unexpected<std::string>("'islands': only the protocol has lines for them");
+  if (can->islands || can->regions)
+    return tl::unexpected(
+        fmt::format("'{}': only the protocol has lines for them", can->islands ? "islands" : "regions"));
   std::unique_ptr<TableEngine> engine(new TableEngine(table));
   engine->introduce(table->name, *can);
   return engine;

@@ -1,7 +1,7 @@
 // The laws: each is a file in this folder, and a line here.
 //
-// A line has the name of the function that makes it, and of whom it is held. Of any engine: segments, islands, history.
-// Of this library's alone: what only it shows.
+// A line has the name of the function that makes it, and of whom it is held. Of any engine of cells: segments, islands,
+// history. Of one that takes regions: these. Of this library's alone: what only it shows.
 #pragma once
 
 #include "oracle/check/law.h"
@@ -21,6 +21,7 @@ namespace lgs::oracle::laws {
   law(loopView,  library)  /* 15: loops, also while chunks come and go */                           \
   law(views,     library)  /* 15: a view is its recompute */                                        \
   law(bodies,    library)  /* what is taken out of the ground, and foreseen */                      \
+  law(regions,   regions)  /* 8: what strokes of other engines come to */                           \
   law(outline,   any)      /* 1 to 3 and 14: the references have the same segments, links, loops */ \
   law(islands,   any)      /* what hangs together */                                                \
   law(questions, library)  /* what is asked about places is answered as the slow way answers it */  \
