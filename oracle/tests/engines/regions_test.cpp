@@ -16,16 +16,16 @@
 namespace lgs::oracle {
 namespace {
 
-constexpr std::int64_t U = kUnitsPerCell;
+constexpr std::int64_t kCell = kUnitsPerCell;
 constexpr const char* kAll = "ghosts blocks slants preserve regions round=1";
 
-Capabilities canDo(const std::string& words) { return parseCapabilities(words).value(); }
+Capabilities saying(const std::string& words) { return parseCapabilities(words).value(); }
 
 /// This library's brushes, and what becomes of their outline.
 class Brushes : public LibraryEngine {
  public:
   using Change = std::function<void(Outline&)>;
-  explicit Brushes(const std::string& words, Change change = {}) : change_(std::move(change)) { assume(canDo(words)); }
+  explicit Brushes(const std::string& words, Change change = {}) : change_(std::move(change)) { assume(saying(words)); }
   Outline outline() const override {
     Outline outline = LibraryEngine::outline();
     if (change_) change_(outline);
@@ -71,29 +71,29 @@ TEST(Regions, OfThisLibraryAreNearThroughTheProtocol) {
 TEST(Regions, AreOnlyWhatTheEngineCanHave) {
   const auto isMadeWith = [](const std::string& words, const std::string& without) {
     for (std::uint64_t seed = 0; seed < 30; ++seed)
-      if (!whyNot(caseOf(seed, {3, 3, 15, canDo(words), false}, seed), canDo(without)).empty()) return true;
+      if (!whyNot(caseOf(seed, {3, 3, 15, saying(words), false}, seed), saying(without)).empty()) return true;
     return false;
   };
   EXPECT_TRUE(isMadeWith("slants regions round=1", "regions"));
   EXPECT_TRUE(isMadeWith("regions", "regions lattice=8"));
   EXPECT_TRUE(isMadeWith("regions", "regions cells=40"));
   EXPECT_TRUE(isMadeWith(kAll, "slants regions round=1"));
-  EXPECT_EQ(whyNot(traceOf("lgs-trace 1\nadd a 0 0 1 0 0 1 0 1 1\n"), canDo("regions")),
+  EXPECT_EQ(whyNot(traceOf("lgs-trace 1\nadd a 0 0 1 0 0 1 0 1 1\n"), saying("regions")),
             "edit 1: an engine with 'regions' takes strokes alone");
-  EXPECT_EQ(whyNot(traceOf("lgs-trace 2\npaint 1 fill 0 0 1 0 1 1\n"), canDo("regions")),
+  EXPECT_EQ(whyNot(traceOf("lgs-trace 2\npaint 1 fill 0 0 1 0 1 1\n"), saying("regions")),
             "edit 1: it has a slanted edge");
-  EXPECT_EQ(whyNot(traceOf("lgs-trace 4\ncarve 0 0 1 0 1 1 0 1 united\n"), canDo("regions")),
+  EXPECT_EQ(whyNot(traceOf("lgs-trace 4\ncarve 0 0 1 0 1 1 0 1 united\n"), saying("regions")),
             "edit 1: it is united, and strokes for engines are even-odd");
   const Trace two = traceOf("lgs-trace 2\npaint 1 fill 0 0 1 0 1 1 0 1\npaint 2 fill 0 0 2 0 2 1 0 1\n");
-  EXPECT_EQ(whyNot(two, canDo("regions")), "");
-  EXPECT_NE(whyNot(two, canDo("blocks preserve regions")), "") << "the seam between them";
+  EXPECT_EQ(whyNot(two, saying("regions")), "");
+  EXPECT_NE(whyNot(two, saying("blocks preserve regions")), "") << "the seam between them";
 }
 
 // Each bug, an engine that has it, and the kind of what is found.
 TEST(Regions, FindWhatIsWrongWithAnOutline) {
   const auto isHole = [](const OutlineSegment& s) {
-    return 0 < std::min(s.start.x, s.end.x) && std::max(s.start.x, s.end.x) < 3 * U &&
-           0 < std::min(s.start.y, s.end.y) && std::max(s.start.y, s.end.y) < 3 * U;
+    return 0 < std::min(s.start.x, s.end.x) && std::max(s.start.x, s.end.x) < 3 * kCell &&
+           0 < std::min(s.start.y, s.end.y) && std::max(s.start.y, s.end.y) < 3 * kCell;
   };
   const std::tuple<const char*, const char*, Brushes::Change> wrong[]{
       {"a hole is dropped", "extra solid", [&](Outline& o) { std::erase_if(o, isHole); }},
@@ -110,13 +110,13 @@ TEST(Regions, FindWhatIsWrongWithAnOutline) {
        }},
       {"a line to and fro", "no boundary",
        [](Outline& o) {
-         o.push_back({{5 * U, 0}, {6 * U, 0}, 1, {}, {}});
-         o.push_back({{6 * U, 0}, {5 * U, 0}, 1, {}, {}});
+         o.push_back({{5 * kCell, 0}, {6 * kCell, 0}, 1, {}, {}});
+         o.push_back({{6 * kCell, 0}, {5 * kCell, 0}, 1, {}, {}});
        }},
       {"a line to and fro inside", "no boundary",
        [](Outline& o) {
-         o.push_back({{0, 0}, {U / 2, U / 2}, 1, {}, {}});
-         o.push_back({{U / 2, U / 2}, {0, 0}, 1, {}, {}});
+         o.push_back({{0, 0}, {kCell / 2, kCell / 2}, 1, {}, {}});
+         o.push_back({{kCell / 2, kCell / 2}, {0, 0}, 1, {}, {}});
        }},
       {"two units off", "extra solid", [](Outline& o) { moveBy(o, 2); }},
   };
@@ -159,7 +159,7 @@ TEST(Regions, GhostsAndBlocksAreComparedIfTheyAreDeclared) {
 class Drifting : public Engine {
  public:
   explicit Drifting(std::vector<std::int64_t> off) : off_(std::move(off)) {
-    introduce("drifting", canDo("regions round=1"));
+    introduce("drifting", saying("regions round=1"));
   }
   void reset(const PreservePairs&) override { commits_ = 0; }
   void add(const std::string&, const ScenePolygon&) override {}
@@ -167,7 +167,7 @@ class Drifting : public Engine {
   Refusals commit() override { return ++commits_, std::vector<RefusedEdit>(); }
   Outline outline() const override {
     const std::int64_t left = off_[commits_ - 1];
-    const std::vector<Point> ring{{left, 0}, {U, 0}, {U, U}, {left, U}};
+    const std::vector<Point> ring{{left, 0}, {kCell, 0}, {kCell, kCell}, {left, kCell}};
     Outline outline;
     for (std::size_t k = 0; k < 4; ++k) outline.push_back({ring[k], ring[(k + 1) % 4], 1, {}, {}});
     std::ranges::sort(outline);
@@ -182,6 +182,7 @@ class Drifting : public Engine {
 // One that goes on from its own outline may drift, a unit at a time; one that keeps all strokes may not.
 TEST(Regions, StartFromTheOutlineBeforeOrFromNothing) {
   const Trace twice = traceOf("lgs-trace 2\npaint 1 fill 0 0 1 0 1 1 0 1\ncommit\npaint 1 fill 0 0 0 1 0 0.5\n");
+  const Trace atOnce = traceOf("lgs-trace 2\npaint 1 fill 0 0 1 0 1 1 0 1\npaint 1 fill 0 0 0 1 0 0.5\n");
   for (const auto& [off, isRight] : {std::pair<std::vector<std::int64_t>, bool>{{1, 1}, true},
                                      {{1, 2}, true},
                                      {{1, -1}, true},
@@ -189,6 +190,10 @@ TEST(Regions, StartFromTheOutlineBeforeOrFromNothing) {
                                      {{2, 2}, false}}) {
     Drifting engine(off);
     EXPECT_EQ(!found(engine, twice), isRight) << off[0] << ", " << off[1];
+  }
+  for (const std::int64_t off : {2, 3}) {  // a unit for each stroke
+    Drifting engine({off});
+    EXPECT_EQ(found(engine, atOnce).has_value(), off > 2);
   }
 }
 
@@ -226,7 +231,7 @@ TEST(Regions, WordsThatDoNotGoTogether) {
        {"round=1", "regions round=0", "regions round=65537", "slants regions", "blocks regions", "several regions",
         "squares regions", "refuses regions", "merged regions", "islands regions"})
     EXPECT_FALSE(parseCapabilities(bad)) << bad;
-  for (const std::string good : {"regions", "regions round=65536", kAll}) EXPECT_EQ(print(canDo(good)), good);
+  for (const std::string good : {"regions", "regions round=65536", kAll}) EXPECT_EQ(print(saying(good)), good);
 }
 
 }  // namespace
