@@ -129,7 +129,7 @@ std::string comparedInWords(const Capabilities& can) {
   if (can.regions) {
     const auto units = static_cast<std::uint64_t>(can.round);
     words[0] =
-        units == 0 ? "exact regions" : fmt::format("regions, within {} of the exact edges,", counted(units, "unit"));
+        units == 0 ? "exact regions" : fmt::format("regions (within {} of the exact edges)", counted(units, "unit"));
   }
   if (can.ghosts) words.push_back("ghosts");
   if (can.blocks) words.push_back("blocks");

@@ -1,6 +1,7 @@
 // Law 8 of an engine that takes strokes: after each commit its outline is that of the exact result, or so near to it as
 // the engine says. An engine may go on from what it has put out, or keep all strokes: so it is right if it is near to
-// what the strokes since the last commit make of its own last outline, or to what all strokes make of nothing.
+// what the strokes since the last commit make of its own last outline, so many units for each of them; or to what all
+// strokes make of nothing, so many units.
 #include "oracle/cgal/brushed.h"
 #include "oracle/check/comparable.h"
 #include "oracle/check/laws/list.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <span>
 #include <utility>
@@ -37,7 +39,9 @@ class RegionsLaw : public Law {
       ++seen.stats.whole;
       seen.stats.brushed += strokes.size() - done_;
       seen.stats.segments += now.size();
-      auto far = farFromExact(before_, std::span(strokes).subspan(done_), now, can.round);
+      const auto since = std::span(strokes).subspan(done_);
+      const std::int64_t units = can.round * std::max<std::int64_t>(std::ssize(since), 1);
+      auto far = farFromExact(before_, since, now, units);
       if (far && (can.round == 0 || farFromExact({}, strokes, now, can.round)))
         return tooFar(seen, std::move(*far), now);
     }
