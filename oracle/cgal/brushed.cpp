@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <tuple>
 
 namespace lgs::oracle {
 namespace {
@@ -136,12 +138,25 @@ class Strokes {
     return true;
   }
 
-  // Segments that bound nothing.
+  // Segments that bound nothing: those that run to and fro. What bounds a region that is near is near.
   std::optional<FarOff> stray(const Outline& after, std::int64_t units) const {
-    const Segments ofBlocks = edgesWhere(ofAnyBlock);
+    const Segments edges = edgesWhere(ofAnyBlock);
+    const auto found = [&](const ExactPoint& from, const ExactPoint& to) -> std::optional<FarOff> {
+      if (isNear({from, to}, edges, units)) return std::nullopt;
+      return FarOff{"no boundary: " + oracle::inWords(nearest(from), nearest(to)) + within(units), outline()};
+    };
+    std::map<std::tuple<Block, Point, Point>, int> runs;
     for (const OutlineSegment& s : after)
-      if (!isNear({exact(s.start), exact(s.end)}, ofBlocks, units))
-        return FarOff{"no boundary: " + oracle::inWords(s.start, s.end) + within(units), outline()};
+      runs[{s.block, std::min(s.start, s.end), std::max(s.start, s.end)}] += s.start < s.end ? 1 : -1;
+    for (const auto& [piece, times] : runs)
+      if (auto far = times == 0 ? found(exact(std::get<1>(piece)), exact(std::get<2>(piece))) : std::nullopt)
+        return far;
+    for (const Border& border : faces_.borders)
+      for (const std::size_t curve : border.curves) {
+        const std::size_t block = curve - blocks_.size();  // of an outline before it is no block
+        if (block >= blocks_.size() || real_[border.left][block] != real_[border.right][block]) continue;
+        if (auto far = found(border.from, border.to)) return far;
+      }
     return std::nullopt;
   }
 

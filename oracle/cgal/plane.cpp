@@ -90,9 +90,14 @@ Faces facesOf(const Curves& curves, std::size_t count) {
         {{face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()}, face->info()});
   for (const auto& [face, side] : plane.constrained_edges()) {
     const auto [from, to] = endsOf(face, side);
-    Border border{from->point(), to->point(), face->info(), face->neighbor(side)->info()};
-    if (border.to < border.from) border = {border.to, border.from, border.right, border.left};
-    faces.borders.push_back(border);
+    Border border{from->point(), to->point(), face->info(), face->neighbor(side)->info(), {}};
+    for (auto at = plane.contexts_begin(from, to); at != plane.contexts_end(from, to); ++at)
+      for (const auto& entry : *countsOf.at(at->id())) border.curves.push_back(entry.first);
+    if (border.to < border.from) {
+      std::swap(border.from, border.to);
+      std::swap(border.left, border.right);
+    }
+    faces.borders.push_back(std::move(border));
   }
   return faces;
 }

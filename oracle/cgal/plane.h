@@ -41,6 +41,7 @@ struct Triangle {
 struct Border {
   ExactPoint from, to;  ///< from < to
   std::size_t left = 0, right = 0;
+  std::vector<std::size_t> curves;  ///< that run there
 };
 
 struct Faces {

@@ -72,8 +72,8 @@ std::string contradiction(const Capabilities& can) {
                          std::ranges::find(kWords, flag, &Word::flag)->word);
   if (can.slants && can.round == 0)
     return "'regions' with 'slants' needs 'round=N': where slanted edges cross there is no lattice point";
-  if (can.blocks && !can.preserve)
-    return "'regions' with 'blocks' needs 'preserve': else there is no outline of each block to compare";
+  if (can.blocks != can.preserve)
+    return "with 'regions', 'blocks' and 'preserve' go together: the outline of each block is compared by itself";
   return "";
 }
 

@@ -151,7 +151,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   Trace start;
   start.preserve = randomPreserve(random, habits.blocks);
   start.mayRefuse = options.isOfCalls;
-  if (!options.can.preserve) start.preserve = {};
+  if (!options.can.preserve || options.can.regions) start.preserve = {};
   if (options.can.regions && options.can.blocks)  // the outline of each block is compared
     for (const Block a : habits.blocks)
       for (const Block b : habits.blocks)
@@ -206,6 +206,8 @@ namespace {
 
 // Of an engine that takes strokes alone.
 std::string whyNotByStrokes(const Trace& trace, const Capabilities& can) {
+  for (const auto& [a, b] : trace.preserve.pairs())
+    if (a == b) return fmt::format("it preserves block {} against itself, and a region has no seams", a);
   std::set<Block> blocks;
   for (std::size_t k = 0; k < trace.calls.size(); ++k) {
     const Call& call = trace.calls[k];
