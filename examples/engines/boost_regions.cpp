@@ -19,20 +19,29 @@ using Vertex = bg::model::d2::point_xy<double>;
 using Polygon = bg::model::polygon<Vertex, false>;  // counter-clockwise, holes clockwise: the solid is on the left
 using Solid = bg::model::multi_polygon<Polygon>;
 
-// Inside is where the rings run around an odd number of times: the triangles from a ring's first vertex, by exclusive or.
+Solid exclusiveOr(const Solid& region, const Polygon& polygon) {
+  Solid both;
+  bg::sym_difference(region, polygon, both);
+  return both;
+}
+
+// Inside is where the rings run around an odd number of times: by exclusive or, of each ring, or of the triangles from its
+// first vertex if it crosses itself.
 Solid regionOf(std::istringstream& words) {
   Solid region;
-  for (const auto& ring : readRings(words)) {
-    const auto at = [&](std::size_t k) {
-      return Vertex(static_cast<double>(ring[k].first), static_cast<double>(ring[k].second));
-    };
+  for (const auto& points : readRings(words)) {
+    Polygon polygon;
+    for (const auto& [x, y] : points) polygon.outer().emplace_back(static_cast<double>(x), static_cast<double>(y));
+    const auto ring = polygon.outer();
+    bg::correct(polygon);
+    if (bg::is_valid(polygon)) {
+      region = exclusiveOr(region, polygon);
+      continue;
+    }
     for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-      Polygon triangle{{at(0), at(k), at(k + 1), at(0)}};
+      Polygon triangle{{ring[0], ring[k], ring[k + 1], ring[0]}};
       bg::correct(triangle);
-      if (bg::area(triangle) == 0) continue;
-      Solid both;
-      bg::sym_difference(region, triangle, both);
-      region = both;
+      if (bg::area(triangle) != 0) region = exclusiveOr(region, triangle);
     }
   }
   return region;
