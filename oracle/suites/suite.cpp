@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <numeric>
 
 namespace lgs::oracle {
 namespace {
@@ -43,13 +44,13 @@ Read readFileOf(const fs::path& path, Suite& suite) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char begin = first == std::string_view::npos ? ' ' : text[first];
-  const std::size_t cases = suite.cases.size(), leftOut = suite.leftOut.size();
+  const std::size_t seen = suite.seen();
   const Read done = begin == '<'                   ? readXml(file, text, suite)
                     : begin == '{' || begin == '[' ? readJson(file, text, operationsBeside(path), suite)
                     : text.find("CLIPTYPE") != std::string_view::npos ? readClipper(file, text, suite)
                                                                       : readWkt(file, text, suite);
   if (!done) return tl::unexpected(file + ":" + done.error());
-  if (suite.cases.size() == cases && suite.leftOut.size() == leftOut)
+  if (suite.seen() == seen)
     return tl::unexpected(file +
                           ": there is no case in it. Suites are texts of Clipper2, JSON of iOverlay, GeoJSON, WKT, "
                           "or XML of GEOS and JTS");
@@ -63,6 +64,11 @@ bool isOfSuites(const fs::path& file) {
 }
 
 }  // namespace
+
+std::size_t Suite::seen() const {
+  return std::accumulate(leftOut.begin(), leftOut.end(), cases.size(),
+                         [](std::size_t sum, const auto& entry) { return sum + entry.second; });
+}
 
 void Suite::add(const std::string& place, const std::vector<Operation>& operations,
                 const std::vector<Operand>& operands) {

@@ -48,6 +48,7 @@ struct Suite {
   std::vector<SuiteCase> cases;
   std::map<std::string, std::size_t> leftOut;  ///< what is not read, in words, and how often
 
+  std::size_t seen() const;  ///< cases and what is left out
   void add(const std::string& place, const std::vector<Operation>& operations, const std::vector<Operand>& operands);
 };
 
