@@ -14,10 +14,14 @@ namespace lgs::oracle {
 namespace {
 
 using namespace plane;
-using Segments = std::vector<Kernel::Segment_2>;
+struct Edge {
+  Kernel::Segment_2 segment;
+  CGAL::Bbox_2 box = segment.bbox();
+};
+using Edges = std::vector<Edge>;
 
 // Borders that go straight on are one edge.
-Segments joined(const std::vector<Border>& borders) {
+Edges joined(const std::vector<Border>& borders) {
   std::map<ExactPoint, std::vector<const Border*>> from;
   for (const Border& border : borders) from[border.from].push_back(&border);
   std::vector<const Border*> next(borders.size());
@@ -29,12 +33,12 @@ Segments joined(const std::vector<Border>& borders) {
       isFirst[static_cast<std::size_t>(other - borders.data())] = false;
     }
   }
-  Segments edges;
+  Edges edges;
   for (std::size_t k = 0; k < borders.size(); ++k) {
     if (!isFirst[k]) continue;
     const Border* last = &borders[k];
     while (const Border* const more = next[static_cast<std::size_t>(last - borders.data())]) last = more;
-    edges.emplace_back(borders[k].from, last->to);
+    edges.push_back({Kernel::Segment_2(borders[k].from, last->to)});
   }
   return edges;
 }
@@ -42,19 +46,19 @@ Segments joined(const std::vector<Border>& borders) {
 using Convex = std::vector<ExactPoint>;
 
 // A quick look: what is farther than that from a box can be left out.
-Segments edgesAround(const CGAL::Bbox_2& box, const Segments& edges, double units) {
+Edges edgesAround(const CGAL::Bbox_2& box, const Edges& edges, double units) {
   const CGAL::Bbox_2 around(box.xmin() - units, box.ymin() - units, box.xmax() + units, box.ymax() + units);
-  Segments close;
+  Edges close;
   std::ranges::copy_if(edges, std::back_inserter(close),
-                       [&](const Kernel::Segment_2& edge) { return CGAL::do_overlap(edge.bbox(), around); });
+                       [&](const Edge& edge) { return CGAL::do_overlap(edge.box, around); });
   return close;
 }
 
 // The distance from an edge is a convex function: if it is small in all corners of a convex polygon, it is in all of it.
 // Otherwise another edge may be near to a part of it, so it is halved across its longest side, some times.
-bool isNear(const Convex& piece, const Segments& edges, const Kernel::FT& squared, int halvings) {
-  for (const Kernel::Segment_2& edge : edges) {
-    const auto isNearEdge = [&](const ExactPoint& p) { return CGAL::squared_distance(p, edge) <= squared; };
+bool isNear(const Convex& piece, const Edges& edges, const Kernel::FT& squared, int halvings) {
+  for (const Edge& edge : edges) {
+    const auto isNearEdge = [&](const ExactPoint& p) { return CGAL::squared_distance(p, edge.segment) <= squared; };
     if (std::all_of(piece.begin(), piece.end(), isNearEdge)) return true;
   }
   if (halvings == 0) return false;
@@ -79,10 +83,10 @@ bool isNear(const Convex& piece, const Segments& edges, const Kernel::FT& square
   return isNear(first, edges, squared, halvings - 1) && isNear(second, edges, squared, halvings - 1);
 }
 
-bool isNear(const Convex& piece, const Segments& edges, std::int64_t units) {
+bool isNear(const Convex& piece, const Edges& edges, std::int64_t units) {
   constexpr int kHalvings = 48;  // two of them halve a long, thin piece: the last ones are smaller than a unit
   const auto most = static_cast<double>(units);
-  const Segments close = edgesAround(CGAL::bbox_2(piece.begin(), piece.end()), edges, most);
+  const Edges close = edgesAround(CGAL::bbox_2(piece.begin(), piece.end()), edges, most);
   return isNear(piece, close, Kernel::FT(most) * most, kHalvings);
 }
 
@@ -117,9 +121,8 @@ class Strokes {
   }
 
   std::optional<FarOff> farOff(std::int64_t units) const {
-    const Segments ofBlocks = edgesWhere(ofAnyBlock);
-    const Segments ofSolid =
-        edgesWhere([](const Solid& left, const Solid& right) { return left.back() != right.back(); });
+    const Edges ofBlocks = edgesWhere(ofAnyBlock);
+    const Edges ofSolid = edgesWhere([](const Solid& left, const Solid& right) { return left.back() != right.back(); });
     const auto isWrong = [&](const Triangle& t, std::size_t k) {
       const bool isSame = real_[t.face][k] == (exact_[t.face][k] ? 1 : 0);
       return !isSame && !isNear({t.corners.begin(), t.corners.end()}, k < blocks_.size() ? ofBlocks : ofSolid, units);
@@ -138,9 +141,9 @@ class Strokes {
     return true;
   }
 
-  // Segments that bound nothing: those that run to and fro. What bounds a region that is near is near.
+  // Edges that bound nothing: those that run to and fro. What bounds a region that is near is near.
   std::optional<FarOff> stray(const Outline& after, std::int64_t units) const {
-    const Segments edges = edgesWhere(ofAnyBlock);
+    const Edges edges = edgesWhere(ofAnyBlock);
     const auto found = [&](const ExactPoint& from, const ExactPoint& to) -> std::optional<FarOff> {
       if (isNear({from, to}, edges, units)) return std::nullopt;
       return FarOff{"no boundary: " + oracle::inWords(nearest(from), nearest(to)) + within(units), outline()};
@@ -202,7 +205,7 @@ class Strokes {
 
   static bool ofAnyBlock(const Solid& left, const Solid& right) { return left != right; }
 
-  Segments edgesWhere(bool (*differ)(const Solid&, const Solid&)) const {
+  Edges edgesWhere(bool (*differ)(const Solid&, const Solid&)) const {
     std::vector<Border> edges = faces_.borders;
     std::erase_if(edges, [&](const Border& border) { return !differ(exact_[border.left], exact_[border.right]); });
     return joined(edges);

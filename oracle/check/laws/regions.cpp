@@ -53,7 +53,8 @@ class RegionsLaw : public Law {
     };
     if (!seen.options.naive || !can.ghosts || std::ranges::any_of(now, isLong)) return std::nullopt;
     ++seen.stats.naive;
-    return seen.differing(Mismatch::Kind::naive, seen.scene(), linked(now), now);
+    const Outline expected = linked(now);
+    return expected == now ? std::nullopt : seen.differing(Mismatch::Kind::naive, seen.scene(), expected, now);
   }
 
  private:
