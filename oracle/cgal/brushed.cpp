@@ -43,6 +43,13 @@ Edges joined(const std::vector<Border>& borders) {
   return edges;
 }
 
+bool isOnGrid(const Edge& edge) {
+  const auto isLine = [](double min, double max) {
+    return min == max && std::fmod(min, static_cast<double>(kUnitsPerCell)) == 0;
+  };
+  return isLine(edge.box.xmin(), edge.box.xmax()) || isLine(edge.box.ymin(), edge.box.ymax());
+}
+
 using Convex = std::vector<ExactPoint>;
 
 // A quick look: what is farther than that from a box can be left out.
@@ -120,9 +127,11 @@ class Strokes {
     }
   }
 
-  std::optional<FarOff> farOff(std::int64_t units) const {
+  // `byCells`: no edge of the solid on a line between cells is moved, as a brush of this library cuts along these.
+  std::optional<FarOff> farOff(std::int64_t units, bool byCells = false) const {
     const Edges ofBlocks = edgesWhere(ofAnyBlock);
-    const Edges ofSolid = edgesWhere([](const Solid& left, const Solid& right) { return left.back() != right.back(); });
+    Edges ofSolid = edgesWhere([](const Solid& left, const Solid& right) { return left.back() != right.back(); });
+    if (byCells) std::erase_if(ofSolid, isOnGrid);
     const auto isWrong = [&](const Triangle& t, std::size_t k) {
       const bool isSame = real_[t.face][k] == (exact_[t.face][k] ? 1 : 0);
       return !isSame && !isNear({t.corners.begin(), t.corners.end()}, k < blocks_.size() ? ofBlocks : ofSolid, units);
@@ -141,7 +150,7 @@ class Strokes {
     return true;
   }
 
-  // Edges that bound nothing: those that run to and fro. What bounds a region that is near is near.
+  // Segments that bound nothing: those that run to and fro. What bounds a region that is near is near.
   std::optional<FarOff> stray(const Outline& after, std::int64_t units) const {
     const Edges edges = edgesWhere(ofAnyBlock);
     const auto found = [&](const ExactPoint& from, const ExactPoint& to) -> std::optional<FarOff> {
@@ -252,14 +261,14 @@ std::optional<FarOff> farFromExact(const Outline& before, std::span<const BrushE
 }
 
 std::optional<std::string> farFromExact(const Scene& before, const BrushEdit& edit, const Scene& after) {
-  auto far = Strokes(sidesOf(before), {&edit, 1}, sidesOf(after)).farOff(1);
+  auto far = Strokes(sidesOf(before), {&edit, 1}, sidesOf(after)).farOff(1, true);
   return far ? std::optional(std::move(far->text)) : std::nullopt;
 }
 
 std::optional<std::string> seamIn(const Scene& before, const BrushEdit& filled, const Scene& after) {
   const Strokes all(sidesOf(before, filled.block), {&filled, 1}, sidesOf(after, filled.block));
   if (!all.isAsBefore()) return std::nullopt;
-  const auto far = all.farOff(2);
+  const auto far = all.farOff(2, true);
   return far ? std::optional("a carved region that is filled again: " + far->text) : std::nullopt;
 }
 
