@@ -101,6 +101,18 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
           ->excludes(views)
           ->excludes(caseEdits)
           ->excludes("--time");
+  command
+      .add_option(
+          "--suite", arguments->suites,
+          "Play suites of others instead of random worlds: texts of\nClipper2, JSON of iOverlay, GeoJSON, WKT, XML "
+          "of GEOS and JTS;\nor folders of these. --case K plays one case of them")
+      ->option_text("FILE...")
+      ->excludes(cells)
+      ->excludes(brushes)
+      ->excludes(views)
+      ->excludes(caseEdits)
+      ->excludes(map)
+      ->excludes("--time");
   addWholeNumber(
       command, "--whole-every", [arguments](std::uint64_t n) { arguments->options.wholeEvery = n; }, {},
       "With --map: compare the whole world after every K-th commit,\n"
@@ -121,6 +133,7 @@ void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
 }
 
 Status check(const CheckArguments& arguments) {
+  if (!arguments.suites.empty()) return checkSuites(arguments);
   return arguments.map.empty() ? checkRandom(arguments) : checkMap(arguments);
 }
 

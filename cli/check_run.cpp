@@ -31,7 +31,7 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
     fmt::print("calls      {}\n", callsInWords(s));
   }
   fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
-  if (!arguments.map.empty()) return;
+  if (!arguments.map.empty() || !arguments.suites.empty() || arguments.world.can.regions) return;
   fmt::print("cases      {}; of these had\n{}", totals.cases.cases, table(totals.cases));
 }
 

@@ -14,6 +14,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lgs::cli {
 
@@ -34,6 +35,7 @@ struct CheckArguments {
   std::uint64_t seed = 1;
   std::optional<std::size_t> onlyCase;
   std::string map;
+  std::vector<std::string> suites;  ///< files and folders of suites that others wrote
   std::string out = "out";
   std::string svg;
   std::optional<double> seconds;  ///< how long it runs, instead of `edits`
@@ -50,6 +52,9 @@ Status checkRandom(const CheckArguments& arguments);
 
 /// Digs in a given world.
 Status checkMap(const CheckArguments& arguments);
+
+/// Plays suites that others wrote, one case after the other.
+Status checkSuites(const CheckArguments& arguments);
 
 /// How the command begins that does such a check again, from any folder: "lgs check".
 std::string commandAgain(const CheckArguments& arguments, bool brushes = false, bool views = false);

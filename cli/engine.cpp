@@ -105,6 +105,7 @@ const char* const kEngineHelp =
     "  preserve B1 B2                     nothing; only right after reset\n"
     "  add NAME I J BLOCK X Y X Y ...     nothing; coordinates are exact decimals\n"
     "  remove NAME                        nothing\n"
+    "  paint BLOCK fill|replace X Y ... | X Y ..., carve X Y ...   nothing; only to engines with regions\n"
     "  commit                             'refused NAME REASON' for each refused edit; the whole outline as lines\n"
     "                                     of a dump, in any order; 'island X Y AREA2' for each island; then 'end'\n"
     "                                     (or what changed: '- ID', '+ ID segment ...', '~ ID segment ...')\n"
@@ -117,6 +118,7 @@ const char* const kEngineHelp =
     "  islands            it names islands           merged     it joins collinear neighbours\n"
     "  delta              it tells what changed      time       it prints 'time NANOSECONDS', for lgs bench\n"
     "  lattice=N          (only) coordinates in 1/N cell        cells=N  (only) cells within ±N\n"
+    "  regions            (only) strokes of brushes             round=N  regions may be N units off\n"
     "Which edits it refuses is compared, not its reasons; and its outline. A wrong line, a late answer, an end or\n"
     "a crash is a mismatch like any other.";
 

@@ -97,7 +97,7 @@ Status runOne(const ReplayArguments& arguments) {
   if (!started) return Status::badInput;
   Engine& engine = *started;
   introduce(engine, out);
-  const Trace plain = inPlainEdits(*trace);  // which every engine understands
+  const Trace plain = engine.can().regions ? *trace : inPlainEdits(*trace);  // which every other engine understands
   if (const std::string why = whyNot(plain, engine.can()); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.trace, why));
   CheckOptions options = arguments.checkOptions;

@@ -18,7 +18,7 @@ import tempfile
 ENGINE = ["lib/include"]
 GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
-ORACLE = REFERENCES + ["oracle/draw", "oracle/views", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
+ORACLE = REFERENCES + ["oracle/draw", "oracle/views", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/suites", "oracle/check"]
 TERRAIN = ["addons/box2d/include", "addons/box2d/v2/names", "addons/box2d/v3/names", "addons/box2d/both/include",
            "addons/box2d/v2/include", "addons/box2d/v3/include", "addons/box2d/cut_out"]
 ADAPTERS = ["addons/c/include", "addons/debug/include", "lib/brush/include", "lib/pieces/include", "lib/views/include",
@@ -84,6 +84,7 @@ ROOMS = {
     "oracle/engine/include": [],
     "oracle/engine": ENGINE + ["oracle/engine/include", "oracle/reference", "oracle/trace"],
     # Random brushes are circles and lines of the library's making.
+    "oracle/suites": ENGINE + REFERENCES,
     "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
                                  "oracle/engine"],
     "oracle/check": ENGINE + REFERENCES + ["oracle/views", "lib/views/include", "lib/pieces/include", "lib/text", "oracle/draw", "oracle/engine", "oracle/page",

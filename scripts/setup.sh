@@ -7,13 +7,13 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build python3                   # the tool chain, and the example of an engine
   libexpected-dev                                 # the engine
-  libcgal-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev  # the references and the lgs command
+  libcgal-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev  # the references and the lgs command
 )
 if [[ ${1:-} == --check ]]; then
   shift
 else
   packages+=(
-    libpugixml-dev libpcre2-dev libfast-float-dev zlib1g-dev libzstd-dev  # the importer of maps
+    libpcre2-dev libfast-float-dev zlib1g-dev libzstd-dev  # the importer of maps
     libbox2d-dev                                  # the terrain for Box2D
     libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings
     libgtest-dev libgmock-dev librapidcheck-dev   # the tests

@@ -95,6 +95,11 @@ class Check {
 
   // The limits of a cell are this library's: other engines never see an edit that is refused for them.
   tl::expected<Found, TraceError> makeByName(const Call& call) {
+    const bool takesStrokes = seen_.engine.can().regions;
+    if (takesStrokes && call.kind == Call::Kind::brush) return stroke(call.brush);
+    if (takesStrokes)
+      return tl::unexpected(
+          TraceError{call.line, "an engine with 'regions' takes strokes alone: " + printCall(call), {}});
     if (!isPlain(call))
       return tl::unexpected(TraceError{call.line, "only this library's engine has such calls: " + printCall(call), {}});
     seen_.willChange();
@@ -112,6 +117,14 @@ class Check {
     isAdd ? static_cast<void>(seen_.added.insert(call.name())) : static_cast<void>(seen_.added.erase(call.name()));
     placed.play(call);
     return Found();
+  }
+
+  Found stroke(const BrushEdit& brush) {
+    seen_.willChange();
+    seen_.engine.stroke(brush);
+    seen_.strokes.push_back(brush);
+    pending_ = true;
+    return std::nullopt;
   }
 
   tl::expected<Found, TraceError> refused(const Call& call, const Verdict& verdict, const TraceError& error) {

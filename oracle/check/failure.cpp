@@ -15,8 +15,10 @@ namespace lgs::oracle {
 namespace {
 
 // Who says what is expected; nothing where no outline differs.
-const char* nameOfExpected(Mismatch::Kind kind) {
-  switch (kind) {
+const char* nameOfExpected(const Mismatch& mismatch) {
+  switch (mismatch.kind) {
+    case Mismatch::Kind::rounding:
+      return mismatch.expected == mismatch.actual ? nullptr : "CGAL, rounded";
     case Mismatch::Kind::naive:
       return "naive reference";
     case Mismatch::Kind::cgal:
@@ -91,7 +93,7 @@ std::string draw(const Mismatch& mismatch) {
   const Shown shown(mismatch);
   options.title = shown.title;
   options.edited = mismatch.edited;
-  const char* const expectedName = nameOfExpected(mismatch.kind);
+  const char* const expectedName = nameOfExpected(mismatch);
   if (expectedName == nullptr) {  // perhaps some segments are to blame
     options.marked = mismatch.marked;
     return drawWorld(mismatch.scene, shown.actual, options);
@@ -102,7 +104,7 @@ std::string draw(const Mismatch& mismatch) {
 }
 
 std::string page(const Mismatch& mismatch, const Trace& trace) {
-  const char* const expectedName = nameOfExpected(mismatch.kind);
+  const char* const expectedName = nameOfExpected(mismatch);
   const Shown shown(mismatch);
   PageOptions options{shown.title, describe(mismatch, trace), "engine", "", {}};
   if (expectedName != nullptr) {

@@ -41,6 +41,8 @@ std::string kindOf(const std::vector<Difference>& differences) {
 }  // namespace
 
 std::string kindOfFinding(const Mismatch& mismatch, Engine& engine) {
+  for (const char* const kind : {"open outline", "missing solid", "extra solid", "no boundary"})
+    if (engine.can().regions && mismatch.text.starts_with(kind)) return kind;
   switch (mismatch.kind) {
     case Mismatch::Kind::crash:
       return "crash";
@@ -62,7 +64,7 @@ std::string kindOfFinding(const Mismatch& mismatch, Engine& engine) {
       break;
   }
   const auto differences = compare(mismatch.expected, mismatch.actual);
-  if (!isRightAfresh(mismatch, engine)) return kindOf(differences);
+  if (engine.can().regions || !isRightAfresh(mismatch, engine)) return kindOf(differences);
   const auto isGhost = [](const Difference& d) { return d.kind == Kind::ghost1 || d.kind == Kind::ghost2; };
   return std::ranges::all_of(differences, isGhost) ? "stale ghost" : "order of edits matters";
 }

@@ -3,6 +3,7 @@
 #include "oracle/check/comparable.h"
 #include "oracle/check/failure.h"
 #include "oracle/reference/compare.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <array>
@@ -16,6 +17,15 @@ Seen::Seen(const Trace& checked, const CheckOptions& by, CheckStats& counts)
       stats(counts),
       library(by.engine ? nullptr : &own),
       engine(by.engine ? *by.engine : own) {}
+
+Scene Seen::scene() const {
+  if (library != nullptr || !engine.can().regions) return model().scene(trace.preserve);
+  Trace played{trace.preserve, {}};
+  for (const BrushEdit& stroke : strokes) played.calls.push_back(Call::byBrush(stroke));
+  Model made;
+  for (const Call& call : inPlainEdits(played).calls) made.play(call);
+  return made.scene(trace.preserve);
+}
 
 Mismatch Seen::mismatch(Mismatch::Kind kind, std::string text, Outline marked) const {
   if (!text.ends_with('\n')) text += '\n';

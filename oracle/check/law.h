@@ -33,18 +33,19 @@ class Seen {
   LibraryEngine own;
   LibraryEngine* const library;  ///< null, if another engine is checked
   Engine& engine;
-  Model placed;                 ///< in another engine
-  std::set<std::string> added;  ///< to another engine since the last commit, and still there
-  CellSet edited;               ///< since the last commit, by calls that are edits
-  bool isAnywhere = false;      ///< other cells may have changed since, too
-  std::size_t edits = 0;        ///< calls of the trace that were played
+  Model placed;                         ///< in another engine
+  std::set<std::string> added;          ///< to another engine since the last commit, and still there
+  std::vector<BrushEdit> strokes = {};  ///< that another engine has made
+  CellSet edited;                       ///< since the last commit, by calls that are edits
+  bool isAnywhere = false;              ///< other cells may have changed since, too
+  std::size_t edits = 0;                ///< calls of the trace that were played
   std::size_t commits = 0;
   bool isWhole = false;  ///< after this commit the whole world is compared
   bool wasAway = false;  ///< some chunks are not in memory, or were not
   NaiveReference naive;
 
   const Model& model() const { return library != nullptr ? library->model() : placed; }
-  Scene scene() const { return model().scene(trace.preserve); }
+  Scene scene() const;  ///< of regions, what this library's brushes make of them: for a picture
   World& world() { return library->player().world(); }
   /// The outline of all there is, by the naive reference; and the engine's. Each is worked out once for each state.
   const Outline& whole() {

@@ -16,6 +16,8 @@ void LibraryEngine::add(const std::string& name, const ScenePolygon& polygon) {
 
 void LibraryEngine::remove(const std::string& name) { static_cast<void>(apply(player_->judge(Call::remove(name)))); }
 
+void LibraryEngine::stroke(const BrushEdit& brush) { static_cast<void>(apply(player_->judge(Call::byBrush(brush)))); }
+
 Engine::Refusals LibraryEngine::commit() {
   changes_ = &player_->commit(std::exchange(executor_, 0));
   return std::exchange(refused_, {});

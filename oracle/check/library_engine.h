@@ -21,6 +21,7 @@ class LibraryEngine : public Engine {
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
+  void stroke(const BrushEdit& brush) override;
   Refusals commit() override;
   Outline outline() const override { return outlineOf(player_->world()); }
 

@@ -1,5 +1,6 @@
 #include "oracle/engine/capabilities.h"
 
+#include "oracle/reference/words.h"
 #include "oracle/trace/line.h"
 
 #include <fmt/format.h>
@@ -21,10 +22,10 @@ constexpr std::array kWords{
     Word{"squares", &Capabilities::squares}, Word{"preserve", &Capabilities::preserve},
     Word{"refuses", &Capabilities::refuses}, Word{"merged", &Capabilities::merged},
     Word{"islands", &Capabilities::islands}, Word{"delta", &Capabilities::delta},
-    Word{"time", &Capabilities::time},
+    Word{"time", &Capabilities::time},       Word{"regions", &Capabilities::regions},
 };
 
-// The number after "lattice=" or "cells="; -1 if there is none.
+// The number after "lattice=", "cells=" or "round="; -1 if there is none.
 std::int32_t numberAfter(std::string_view word, std::string_view key) {
   std::int32_t number = -1;
   const std::string_view digits = word.substr(key.size());
@@ -50,10 +51,31 @@ std::string take(std::string_view word, Capabilities& can) {
     can.cells = numberAfter(word, "cells=");
     return can.cells >= 0 && can.cells <= kMaxCell ? "" : fmt::format("'{}': N must be 0 to {}", word, kMaxCell);
   }
+  if (word.starts_with("round=")) {
+    can.round = numberAfter(word, "round=");
+    return can.round > 0 && can.round <= kUnitsPerCell
+               ? ""
+               : fmt::format("'{}': N must be 1 to {} lattice units", word, kUnitsPerCell);
+  }
   return fmt::format(
       "'{}' is no capability; there are ghosts, blocks, several, slants, squares, preserve, refuses, "
-      "merged, islands, delta, time, lattice=N and cells=N",
+      "merged, islands, delta, time, regions, lattice=N, cells=N and round=N",
       word);
+}
+
+// Words that do not go together.
+std::string contradiction(const Capabilities& can) {
+  if (!can.regions) return can.round == 0 ? "" : "'round=N' is of engines with 'regions'";
+  for (const bool Capabilities::*const flag : {&Capabilities::several, &Capabilities::squares, &Capabilities::refuses,
+                                               &Capabilities::merged, &Capabilities::islands, &Capabilities::delta})
+    if (can.*flag)
+      return fmt::format("'{}' is of engines of cells: with 'regions' there are strokes alone",
+                         std::ranges::find(kWords, flag, &Word::flag)->word);
+  if (can.slants && can.round == 0)
+    return "'regions' with 'slants' needs 'round=N': where slanted edges cross there is no lattice point";
+  if (can.blocks != can.preserve)
+    return "with 'regions', 'blocks' and 'preserve' go together: the outline of each block is compared by itself";
+  return "";
 }
 
 bool isWholeSquare(const std::vector<LocalPoint>& polygon) {
@@ -78,6 +100,7 @@ tl::expected<Capabilities, std::string> parseCapabilities(std::string_view words
   for (const std::string_view word : splitWords(words)) {
     if (std::string wrong = take(word, can); !wrong.empty()) return tl::unexpected(std::move(wrong));
   }
+  if (std::string wrong = contradiction(can); !wrong.empty()) return tl::unexpected(std::move(wrong));
   return can;
 }
 
@@ -88,12 +111,14 @@ std::string print(const Capabilities& can) {
     if (can.*word.flag) add(word.word);
   if (can.lattice != kUnitsPerCell) add(fmt::format("lattice={}", can.lattice));
   if (can.cells != kMaxCell) add(fmt::format("cells={}", can.cells));
+  if (can.round != 0) add(fmt::format("round={}", can.round));
   return text;
 }
 
 std::string worldsInWords(const Capabilities& can) {
-  std::string text = can.squares ? "whole squares" : can.slants ? "polygons" : "polygons with axis-parallel edges";
-  text += can.several && !can.squares ? ", several in a cell" : ", one in a cell";
+  std::string text = can.squares ? "whole squares" : can.regions ? "strokes of brushes" : "polygons";
+  if (!can.slants && !can.squares) text += " with axis-parallel edges";
+  if (!can.regions) text += can.several && !can.squares ? ", several in a cell" : ", one in a cell";
   if (can.lattice != kUnitsPerCell && !can.squares) text += fmt::format(", on 1/{} of a cell", can.lattice);
   if (can.cells != kMaxCell) text += fmt::format(", cells within ±{}", can.cells);
   text += can.preserve ? "; some with a preserve relation" : "; no preserve relation";
@@ -101,12 +126,17 @@ std::string worldsInWords(const Capabilities& can) {
 }
 
 std::string comparedInWords(const Capabilities& can) {
-  std::vector<std::string_view> words{can.merged ? "joined segments" : "segments"};
+  std::vector<std::string> words{can.merged ? "joined segments" : "segments"};
+  if (can.regions) {
+    const auto units = static_cast<std::uint64_t>(can.round);
+    words[0] =
+        units == 0 ? "exact regions" : fmt::format("regions (within {} of the exact edges)", counted(units, "unit"));
+  }
   if (can.ghosts) words.push_back("ghosts");
   if (can.blocks) words.push_back("blocks");
   if (can.islands) words.push_back("islands");
   if (can.delta) words.push_back("lists of changes");
-  std::string text(words.front());
+  std::string text = words.front();
   for (std::size_t k = 1; k < words.size(); ++k)
     text += fmt::format("{}{}", k + 1 < words.size() ? ", " : " and ", words[k]);
   return text;
@@ -121,6 +151,23 @@ std::string whyNot(const ScenePolygon& polygon, const Capabilities& can) {
   const std::int32_t step = kUnitsPerCell / can.lattice;
   const auto isOff = [&](LocalPoint p) { return p.x % step != 0 || p.y % step != 0; };
   return std::ranges::any_of(vertices, isOff) ? fmt::format("it is not on 1/{} of a cell", can.lattice) : "";
+}
+
+std::string whyNot(const BrushEdit& stroke, const Capabilities& can) {
+  if (!stroke.isEvenOdd) return "it is united, and strokes for engines are even-odd";
+  if (!stroke.staying.empty()) return "it goes around blocks, and strokes for engines do not";
+  const std::int64_t step = kUnitsPerCell / can.lattice;
+  const std::int64_t least = -std::int64_t{can.cells} * kUnitsPerCell, most = kUnitsPerCell - least;
+  for (const std::vector<Point>& ring : stroke.rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+      if (std::min(a.x, a.y) < least || std::max(a.x, a.y) > most)
+        return fmt::format("it reaches beyond the cells within ±{}", can.cells);
+      if (!can.slants && a.x != b.x && a.y != b.y) return "it has a slanted edge";
+      if (a.x % step != 0 || a.y % step != 0) return fmt::format("it is not on 1/{} of a cell", can.lattice);
+    }
+  }
+  return "";
 }
 
 }  // namespace lgs::oracle

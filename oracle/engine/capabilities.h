@@ -2,6 +2,7 @@
 // have, and compares only what it puts out.
 #pragma once
 
+#include "oracle/reference/brush_edit.h"
 #include "oracle/reference/scene.h"
 
 #include <cstdint>
@@ -23,8 +24,10 @@ struct Capabilities {
   bool islands = false;                  ///< it puts out the islands
   bool delta = false;                    ///< it puts out what changed instead of the whole outline (delta.h)
   bool time = false;                     ///< it says how long it took
+  bool regions = false;                  ///< it takes strokes of brushes, and no polygons of cells
   std::int32_t lattice = kUnitsPerCell;  ///< coordinates are multiples of 1/lattice cell
   std::int32_t cells = kMaxCell;         ///< cells lie within ±cells
+  std::int32_t round = 0;                ///< lattice units that its outline of regions may be off the exact edges
   friend bool operator==(const Capabilities&, const Capabilities&) = default;
 
   /// What the laws ask for: everything.
@@ -50,5 +53,8 @@ std::string comparedInWords(const Capabilities& can);
 
 /// Why an engine can not have this polygon, as a phrase; empty if it can. Whether the polygon is good is not asked.
 std::string whyNot(const ScenePolygon& polygon, const Capabilities& can);
+
+/// The same of a stroke, for an engine that takes them.
+std::string whyNot(const BrushEdit& stroke, const Capabilities& can);
 
 }  // namespace lgs::oracle

@@ -4,6 +4,7 @@
 
 #include "oracle/engine/capabilities.h"
 #include "oracle/engine/delta.h"
+#include "oracle/reference/brush_edit.h"
 #include "oracle/reference/island.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
@@ -52,6 +53,7 @@ class Engine {
   virtual void reset(const PreservePairs& preserve) = 0;
   virtual void add(const std::string& name, const ScenePolygon& polygon) = 0;
   virtual void remove(const std::string& name) = 0;
+  virtual void stroke(const BrushEdit& /*brush*/) {}  ///< if it takes regions
 
   /// Makes the edits since the last commit. Returns those that were refused, in their order; or why there is no answer.
   /// After a failure nothing but reset() and outline() may be called.

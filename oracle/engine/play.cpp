@@ -9,6 +9,8 @@ tl::expected<Outline, Failure> play(const Trace& trace, Engine& engine) {
       engine.add(edit.name(), edit.polygon());
     } else if (edit.kind == Call::Kind::remove) {
       engine.remove(edit.name());
+    } else if (edit.kind == Call::Kind::brush) {
+      engine.stroke(edit.brush);
     } else if (const auto done = engine.commit(); !done) {
       return tl::unexpected(done.error());
     }

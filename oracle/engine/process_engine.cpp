@@ -68,6 +68,22 @@ void ProcessEngine::add(const std::string& name, const ScenePolygon& polygon) {
 
 void ProcessEngine::remove(const std::string& name) { unsent_ += fmt::format("remove {}\n", name); }
 
+void ProcessEngine::stroke(const BrushEdit& brush) {
+  const bool carves = brush.deed == BrushEdit::Deed::carve;
+  unsent_ += carves ? "carve"
+                    : fmt::format("paint {} {}", brush.block, brush.deed == BrushEdit::Deed::fill ? "fill" : "replace");
+  for (std::size_t k = 0; k < brush.rings.size(); ++k) {
+    if (k != 0) unsent_ += " |";
+    for (const Point p : brush.rings[k]) {
+      unsent_ += ' ';
+      printDecimal(p.x, unsent_);
+      unsent_ += ' ';
+      printDecimal(p.y, unsent_);
+    }
+  }
+  unsent_ += '\n';
+}
+
 Engine::Refusals ProcessEngine::commit() {
   if (failure_) return tl::unexpected(*failure_);
   unsent_ += "commit\n";

@@ -29,6 +29,7 @@ class ProcessEngine : public Engine {
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
+  void stroke(const BrushEdit& brush) override;
   Refusals commit() override;
   Outline outline() const override { return can().delta ? delta_.outline() : outline_; }
   NamedIslands islands() const override { return islands_; }

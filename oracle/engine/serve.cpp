@@ -13,7 +13,7 @@
 namespace lgs::oracle {
 namespace {
 
-constexpr std::string_view kNothing = "lgs-trace 1\n";
+constexpr std::string_view kNothing = "lgs-trace 2\n";
 
 // Whether there is one more line. Its end stays with it.
 bool readLine(std::FILE* input, std::string& line) {
@@ -28,8 +28,12 @@ bool readLine(std::FILE* input, std::string& line) {
 
 // Edits are lines of a trace, so the lines between two commits are read as one.
 std::string answerTo(const Trace& edits, Engine& engine) {
-  for (const Call& edit : edits.calls)
-    edit.kind == Call::Kind::add ? engine.add(edit.name(), edit.polygon()) : engine.remove(edit.name());
+  for (const Call& edit : edits.calls) {
+    if (edit.kind == Call::Kind::brush)
+      engine.stroke(edit.brush);
+    else
+      edit.kind == Call::Kind::add ? engine.add(edit.name(), edit.polygon()) : engine.remove(edit.name());
+  }
   const auto refusals = engine.commit();
   if (!refusals) return refusals.error().text + "\n";  // no line of an answer: so the harness tells it
   std::string text;

@@ -62,8 +62,8 @@ tl::expected<std::unique_ptr<TableEngine>, std::string> TableEngine::make(const 
   if (!isWhole) return tl::unexpected<std::string>("a pointer of its table is null");
   const auto can = parseCapabilities(table->capabilities);
   if (!can) return tl::unexpected(can.error());
-  if (can->islands || can->time)
-    return tl::unexpected<std::string>("'islands' and 'time': only the protocol has lines for them");
+  if (can->islands || can->time || can->regions)
+    return tl::unexpected<std::string>("'islands', 'time' and 'regions': only the protocol has lines for them");
   std::unique_ptr<TableEngine> engine(new TableEngine(table));
   engine->introduce(table->name, *can);
   return engine;

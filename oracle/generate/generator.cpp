@@ -2,6 +2,7 @@
 
 #include "oracle/calls/shapes.h"
 #include "oracle/generate/editor.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -128,7 +129,8 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.stroke = options.brushes ? 10 : 0;
   }
   habits.strokes.blocks = habits.blocks;
-  if (options.brushes && random.chance(50)) {
+  habits.strokes.can = options.can;
+  if ((options.brushes || options.can.regions) && random.chance(50)) {
     const Cell middle{origin.i + width / 2, origin.j + height / 2};
     habits.strokes.tight = tightAt(toWorld(middle, {0, 0}), random);
     habits.cells = grid({middle.i - 1, middle.j - 1}, 3, 3);
@@ -139,10 +141,21 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.shapes.insert(habits.shapes.end(), 4 * habits.shapes.size(), degenerateShapes().front().polygons);
     habits.place = 30;
   }
+  if (options.can.regions) {
+    for (int EditHabits::*const weight :
+         {&EditHabits::place, &EditHabits::fill, &EditHabits::lean, &EditHabits::scatter, &EditHabits::remove,
+          &EditHabits::clear, &EditHabits::replace})
+      habits.*weight = 0;
+    habits.stroke = 1;
+  }
   Trace start;
   start.preserve = randomPreserve(random, habits.blocks);
   start.mayRefuse = options.isOfCalls;
-  if (!options.can.preserve) start.preserve = {};
+  if (!options.can.preserve || options.can.regions) start.preserve = {};
+  if (options.can.regions && options.can.blocks)  // the outline of each block is compared
+    for (const Block a : habits.blocks)
+      for (const Block b : habits.blocks)
+        if (a != b) start.preserve.add(a, b);
   if (options.isOfCalls && random.chance(30)) {
     Call follow = Call::of(Call::Kind::follow);
     follow.nth = 1;
@@ -189,8 +202,35 @@ Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_
   return crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
 }
 
+namespace {
+
+// Of an engine that takes strokes alone.
+std::string whyNotByStrokes(const Trace& trace, const Capabilities& can) {
+  for (const auto& [a, b] : trace.preserve.pairs())
+    if (a == b) return fmt::format("it preserves block {} against itself, and a region has no seams", a);
+  std::set<Block> blocks;
+  for (std::size_t k = 0; k < trace.calls.size(); ++k) {
+    const Call& call = trace.calls[k];
+    if (call.kind == Call::Kind::commit) continue;
+    const bool isStroke = call.kind == Call::Kind::brush;
+    std::string why = isStroke ? whyNot(call.brush, can) : "an engine with 'regions' takes strokes alone";
+    if (why.empty() && isOutOfReach(call.brush)) why = "it is beyond the last cell, or too wide or high";
+    if (isStroke && can.blocks && call.brush.deed != BrushEdit::Deed::carve)
+      for (const Block other : blocks)
+        if (other != call.brush.block && !trace.preserve(other, call.brush.block))
+          why = fmt::format("blocks {} and {} are not preserved, so that their outlines are not whole", other,
+                            call.brush.block);
+    if (!why.empty()) return fmt::format("edit {}: {}", k + 1, why);
+    if (call.brush.deed != BrushEdit::Deed::carve) blocks.insert(call.brush.block);
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string whyNot(const Trace& trace, const Capabilities& can) {
   if (!can.preserve && !trace.preserve.empty()) return "it has a preserve relation";
+  if (can.regions) return whyNotByStrokes(trace, can);
   Model model;
   for (std::size_t k = 0; k < trace.calls.size(); ++k) {
     const Call& call = trace.calls[k];

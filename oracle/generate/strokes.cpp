@@ -15,13 +15,14 @@ class Painter {
   Painter(Cell cell, const StrokeHabits& habits, Random& random) : cell_(cell), habits_(habits), random_(random) {}
 
   std::vector<Call> stroke() {
-    if (random_.chance(8)) return onSolidGround();
+    if (!habits_.can.regions && random_.chance(8)) return onSolidGround();
     constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
     BrushEdit brush;
     brush.deed = kDeeds[random_.below(kDeeds.size())];
     const Block block = any();
-    if (random_.chance(30)) brush.staying = {any()};
-    const int kind = habits_.tight && random_.chance(80) ? 2 : random_.below(20);
+    const bool isOfRegions = habits_.can.regions;
+    if (!isOfRegions && random_.chance(30)) brush.staying = {any()};
+    const int kind = habits_.tight && random_.chance(80) ? 2 : isOfRegions ? random_.between(1, 19) : random_.below(20);
     if (kind == 0) brush.deed = BrushEdit::Deed::carve;  // or many cells would be filled
     brush.block = brush.deed == BrushEdit::Deed::carve ? 0 : block;
     if (kind < 9) {
@@ -31,7 +32,7 @@ class Painter {
       return {Call::byBrush(std::move(brush))};
     }
     std::vector<Ring> parts = shape().rings;
-    brush.isEvenOdd = width_ < kLeastUnited || random_.chance(50);
+    brush.isEvenOdd = isOfRegions || width_ < kLeastUnited || random_.chance(50);
     std::vector<Call> calls;
     if (!brush.isEvenOdd) {
       brush.rings = std::move(parts);
@@ -159,6 +160,21 @@ class Painter {
   std::int64_t width_ = 0;  // of the last shape
 };
 
+// Vertices move to the next ones that an engine can have; a slanted edge becomes two that are not.
+Ring fit(const Ring& ring, const Capabilities& can) {
+  const std::int64_t step = kUnitsPerCell / can.lattice;
+  const std::int64_t least = -std::int64_t{can.cells} * kUnitsPerCell, most = kUnitsPerCell - least;
+  const auto moved = [&](std::int64_t v) { return std::clamp(v, least, most) / step * step; };
+  Ring fitting;
+  for (const Point p : ring) {
+    const Point next{moved(p.x), moved(p.y)};
+    if (!can.slants && !fitting.empty()) fitting.push_back({next.x, fitting.back().y});
+    fitting.push_back(next);
+  }
+  if (!can.slants) fitting.push_back({fitting.front().x, fitting.back().y});
+  return fitting;
+}
+
 }  // namespace
 
 std::vector<Ring> crossingRings(const Tight& lattice, Random& random) {
@@ -177,6 +193,9 @@ Tight tightAt(Point centre, Random& random) { return {centre, kSteps[random.belo
 
 std::vector<Call> strokeAt(Cell cell, StrokeHabits& habits, Random& random) {
   std::vector<Call> calls = Painter(cell, habits, random).stroke();
+  if (habits.can.regions)
+    for (Call& call : calls)
+      for (Ring& ring : call.brush.rings) ring = fit(ring, habits.can);
   habits.corners.clear();
   for (const std::vector<Point>& ring : calls.back().brush.rings)
     habits.corners.insert(habits.corners.end(), ring.begin(), ring.end());

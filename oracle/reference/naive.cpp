@@ -3,6 +3,7 @@
 #include "oracle/reference/vector.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <tuple>
 
@@ -150,6 +151,23 @@ void NaiveReference::EdgesByVertex::group(const std::vector<AtomicEdge>& edges, 
   for (std::size_t v = 1; v <= vertexCount; ++v) starts[v] += starts[v - 1];  // now the end of each group
   list.resize(edges.size());
   for (std::size_t k = edges.size(); k-- > 0;) list[--starts[edges[k].*vertex]] = static_cast<Index>(k);
+}
+
+Outline linked(Outline outline) {
+  std::multimap<Point, Point> arriving, leaving;  // by the vertex, the far end
+  for (const OutlineSegment& s : outline) {
+    leaving.emplace(s.start, s.end);
+    arriving.emplace(s.end, s.start);
+  }
+  const auto met = [](FirstMet first, const auto& farEnds, Point vertex) {
+    for (auto [at, end] = farEnds.equal_range(vertex); at != end; ++at) first.consider(at->second);
+    return first.result();
+  };
+  for (OutlineSegment& s : outline) {
+    s.ghost1 = met(FirstMet(Turn::clockwise, s.start, s.end), arriving, s.start);
+    s.ghost2 = met(FirstMet(Turn::counterClockwise, s.end, s.start), leaving, s.end);
+  }
+  return outline;
 }
 
 Outline naiveOutline(const Scene& scene) { return NaiveReference{}(scene).outline; }

@@ -65,6 +65,10 @@ class NaiveReference {
   OwnedOutline result_;
 };
 
+/// An outline with the ghosts that law 2 gives to its segments, whatever they were. Segments are shorter than 16,384
+/// cells.
+Outline linked(Outline outline);
+
 /// The same for a single scene.
 Outline naiveOutline(const Scene& scene);
 

@@ -117,8 +117,8 @@ TEST(TraceBrush, ThePlayerReadsBackWhatABrushDid) {
 
 TEST(TraceBrush, WithoutBrushesItIsTheSameWorld) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const Trace trace = randomCase(
-        {.width = 3, .height = 3, .edits = 30, .isOfCalls = true, .brushes = true, .inMemory = true}, seed);
+    const Trace trace =
+        randomCase({.width = 3, .height = 3, .edits = 30, .isOfCalls = true, .brushes = true, .inMemory = true}, seed);
     const Trace plain = inPlainEdits(trace);
     EXPECT_FALSE(hasBrushes(plain));
     ASSERT_EQ(mustParse(printTrace(plain)), plain) << "its names can be written";

@@ -107,8 +107,8 @@ std::string printCoordinate(std::int64_t units) {
   return text;
 }
 
-void printDecimal(std::int32_t units, std::string& text) {
-  const std::int64_t magnitude = std::abs(std::int64_t{units});
+void printDecimal(std::int64_t units, std::string& text) {
+  const std::int64_t magnitude = std::abs(units);
   if (units < 0) text += '-';
   text += fmt::format("{}", magnitude / kUnitsPerCell);
   if (magnitude % kUnitsPerCell == 0) return;

@@ -19,6 +19,6 @@ tl::expected<std::int64_t, std::string> parseWorldCoordinate(std::string_view wo
 std::string printCoordinate(std::int64_t units);
 
 /// Appends the exact value in cells as a decimal, of up to sixteen places.
-void printDecimal(std::int32_t units, std::string& text);
+void printDecimal(std::int64_t units, std::string& text);
 
 }  // namespace lgs::oracle

@@ -71,9 +71,8 @@ TEST(WorldFile, KeepsWhatIsOnlyNotInMemory) {
   save(file, world);
   const World whole = world;
   std::vector<std::byte> left;
-  ASSERT_TRUE(world.unload({{0, 0}, {31, 31}}, [&](Cell, std::span<const std::byte> bytes) {
-    left.assign(bytes.begin(), bytes.end());
-  }));
+  ASSERT_TRUE(world.unload({{0, 0}, {31, 31}},
+                           [&](Cell, std::span<const std::byte> bytes) { left.assign(bytes.begin(), bytes.end()); }));
   world.commit();
   save(file, world);
   EXPECT_TRUE(samePolygons(loaded(file), whole));

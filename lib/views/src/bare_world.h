@@ -24,7 +24,7 @@ class BareWorld {
   void fillUnknown(const CellRect& chunk);
 
   World world_;
-  std::set<Cell> unknown_;  // lower-left cells of unloaded chunks that count as solid
+  std::set<Cell> unknown_;           // lower-left cells of unloaded chunks that count as solid
   std::vector<PlacedPolygon> held_;  // working memory
   std::vector<PolygonHandle> gone_;
   std::vector<NewPolygon> come_;

@@ -1,7 +1,7 @@
 // The laws: each is a file in this folder, and a line here.
 //
-// A line has the name of the function that makes it, and of whom it is held. Of any engine: segments, islands, history, lists of changes.
-// Of this library's alone: what only it shows.
+// A line has the name of the function that makes it, and of whom it is held. Of any engine of cells: segments, islands,
+// history, lists of changes. Of one that takes regions: these. Of this library's alone: what only it shows.
 #pragma once
 
 #include "oracle/check/law.h"
@@ -22,6 +22,7 @@ namespace lgs::oracle::laws {
   law(views,     library)  /* 15: a view is its recompute */                                        \
   law(bodies,    library)  /* what is taken out of the ground, and foreseen */                      \
   law(ids,       any)      /* 6: of an engine that tells what changed: no id twice */               \
+  law(regions,   regions)  /* 8: what strokes of other engines come to */                           \
   law(outline,   any)      /* 1 to 3 and 14: the references have the same segments, links, loops */ \
   law(islands,   any)      /* what hangs together */                                                \
   law(minimality, any)     /* 6: of an engine that tells what changed: it tells nothing else */     \

@@ -17,6 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 ENGINES = ROOT / "examples/engines"
 PYTHONS = [sys.executable, "/usr/bin/python3"]  # Debian's packages are for Debian's Python
 NODE = {"NODE_PATH": str(ROOT / "bench/polygon-clipping/node_modules")}
+PACKAGES = ENGINES / "node_modules"  # for modules, of which NODE_PATH says nothing
 
 # What an engine is assumed to be able to do, and the kinds of findings that there must be then.
 LINKS = {"ghosts squares merged": {"wrong link"}}
@@ -24,6 +25,11 @@ RUNS = {
     "shapely": {"several slants": set(), "ghosts several slants": {"wrong link"}},
     "polygon-clipping": {"squares merged": set(), "several slants merged": {"missing cut"}} | LINKS,
     "clipper": {"squares merged": set(), "several slants merged": {"missing cut", "order of edits matters"}} | LINKS,
+    "shapely regions": {"slants regions round=1": {"extra solid"}, "regions": set()},
+    "boost regions": {"slants regions round=1": {"extra solid", "missing solid", "no boundary"}},
+    "lgs regions": {"ghosts blocks slants preserve regions round=1": set(), "regions": set()},
+    "polygon-clipping regions": {"slants regions round=1": set()},
+    "ioverlay regions": {"slants regions round=1": set()},
 }
 
 
@@ -39,17 +45,35 @@ def skip(what):
     sys.exit(77)
 
 
+def python(script):
+    """Runs a script by a Python that has Shapely."""
+    runner = next((p for p in PYTHONS if runs(p, "-c", "import shapely")), None) or skip("Shapely (python3-shapely)")
+    return ["--engine", shlex.join(["exec", runner, str(ENGINES / script)])]
+
+
+def regions(name, files):
+    """The same of an engine of regions."""
+    if files:
+        return ["--engine", shlex.join(["exec", *files])]
+    if name == "shapely regions":
+        return python("shapely_regions.py")
+    package = {"polygon-clipping regions": "polygon-clipping", "ioverlay regions": "ishape_wasm"}[name]
+    script = ENGINES / (name.replace("-", "_").replace(" ", "_") + ".mjs")
+    there = (PACKAGES / package).is_dir() and runs("node", "--version")
+    return ["--engine", shlex.join(["exec", "node", str(script)])] if there else skip(f"{package} (npm ci --prefix examples/engines)")
+
+
 def engine(name, files):
     """The options of lgs that name the engine."""
+    if name.endswith(" regions"):
+        return regions(name, files)
     if name == "clipper":
         return ["--engine-so", files[0]] if files else skip("Clipper (libpolyclipping-dev)")
     if name == "polygon-clipping":
         script = ENGINES / "polygon_clipping.cjs"
         there = runs("node", "-e", "require('polygon-clipping')")
         return ["--engine", f"exec node {shlex.quote(str(script))}"] if there else skip("polygon-clipping (npm)")
-    python = next((p for p in PYTHONS if runs(p, "-c", "import shapely")), None)
-    script = ENGINES / "shapely_engine.py"
-    return ["--engine", shlex.join(["exec", python, str(script)])] if python else skip("Shapely (python3-shapely)")
+    return python("shapely_engine.py")
 
 
 def kinds(lgs, options, assumed):

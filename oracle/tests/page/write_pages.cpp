@@ -1,6 +1,6 @@
 // Writes the pages of cases.h into a folder, for the test in a browser.
-#include "oracle/trace/file.h"
 #include "oracle/tests/page/cases.h"
+#include "oracle/trace/file.h"
 
 #include <cstdio>
 
