@@ -32,7 +32,7 @@ LawSet brokenBy(const Outline& expected, const Outline& actual) {
 tl::expected<LawSet, std::string> parseLaws(std::string_view words) {
   LawSet recommended = 0;
   for (const std::string_view word : splitWords(words)) {
-    const auto* const known = std::ranges::find(kWords, word, &std::pair<std::string_view, LawSet>::first);
+    const auto known = std::ranges::find(kWords, word, &std::pair<std::string_view, LawSet>::first);
     if (known == kWords.end())
       return tl::unexpected(
           fmt::format("'{}' is no such word; there are ghosts=should, blocks=should, islands=should, "

@@ -12,8 +12,6 @@ using Kind = Call::Kind;
 
 namespace {
 
-using Words = std::span<const std::string_view>;
-
 constexpr std::array<const char*, 4> kNotations{"lattice", "list", "floats", "doubles"};
 constexpr std::array<const char*, 3> kKeeps{"drop", "keep", "all"};
 

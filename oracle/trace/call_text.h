@@ -11,6 +11,8 @@
 
 namespace lgs::oracle {
 
+using Words = std::span<const std::string_view>;
+
 /// Its lines, without the last end of line; a group has one for each of its calls.
 std::string printCall(const Call& call);
 
@@ -21,7 +23,7 @@ std::string wordFor(Call::Kind kind);
 using Fault = std::string;
 
 /// Reads a line; that of a group or of what is repeated begins it.
-Fault readCall(std::span<const std::string_view> words, Call& call);
+Fault readCall(Words words, Call& call);
 
 /// A word as it may be shown.
 std::string quote(std::string_view word);

@@ -9,8 +9,6 @@
 
 namespace lgs::oracle {
 
-using Words = std::span<const std::string_view>;
-
 std::string quote(std::string_view word) {
   constexpr std::size_t kShown = 40;
   return word.size() <= kShown ? fmt::format("'{}'", word) : fmt::format("'{}…'", word.substr(0, kShown));

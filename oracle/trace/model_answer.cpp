@@ -99,7 +99,7 @@ std::string Model::wrongHandles(const Call& call, const Outcome& outcome) const 
   if (isReturned) told.insert(told.begin(), handles[0]);
   told.resize(outcome.told.size(), Caller::kUntouched);
   if (told != outcome.told) return "tells other handles than those of what it placed";
-  std::size_t count = outcome.count;
+  std::uint64_t count = outcome.count;
   if (call.kind == Kind::fill) count = cellsOf(call.cells).size();
   if (call.kind == Kind::clear) count = isEmpty(call.cells) ? 0 : standing().polygonsIn(call.cells);
   if (call.kind == Kind::load) count = 0;
