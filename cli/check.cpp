@@ -139,6 +139,9 @@ Status check(const CheckArguments& arguments) {
 
 Status checkWith(CheckArguments arguments, Engine& engine) {
   introduce(engine, stdout);
+  if (engine.can().regions && !engine.can().ghosts && !arguments.options.cgal)
+    return complain(
+        "lgs check: of an engine of regions the naive reference compares ghosts alone, and this one declares none");
   arguments.options.engine = &engine;
   arguments.world.can = engine.can();
   arguments.world.crowds = arguments.world.isOfCalls = false;

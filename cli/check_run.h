@@ -56,6 +56,9 @@ Status checkMap(const CheckArguments& arguments);
 /// Plays suites that others wrote, one case after the other.
 Status checkSuites(const CheckArguments& arguments);
 
+/// The command that plays the suites again, but for its further options.
+std::string suitesAgain(const CheckArguments& arguments);
+
 /// How the command begins that does such a check again, from any folder: "lgs check".
 std::string commandAgain(const CheckArguments& arguments, bool brushes = false, bool views = false);
 

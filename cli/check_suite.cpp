@@ -61,11 +61,8 @@ void tell(const Suites& suites) {
 }
 
 Checked checkedOf(const CheckArguments& arguments, const Playable& playable) {
-  std::string files;
-  for (const std::string& path : arguments.suites) files += " " + shellPath(path);
   return {playable.trace, fmt::format("mismatch-suite-{}", playable.number),
-          fmt::format("{} --suite{} --case {} --oracle {}", commandAgain(arguments), files, playable.number,
-                      arguments.oracleName())};
+          fmt::format("{} --case {} --oracle {}", suitesAgain(arguments), playable.number, arguments.oracleName())};
 }
 
 Status play(const CheckArguments& arguments, const Suites& suites, std::size_t& at) {
@@ -103,6 +100,12 @@ Status play(const CheckArguments& arguments, const Suites& suites, std::size_t& 
 }
 
 }  // namespace
+
+std::string suitesAgain(const CheckArguments& arguments) {
+  std::string text = commandAgain(arguments) + " --suite";
+  for (const std::string& path : arguments.suites) text += " " + shellPath(path);
+  return text;
+}
 
 Status checkSuites(const CheckArguments& arguments) {
   if (arguments.engine.isGiven() && !arguments.world.can.regions)

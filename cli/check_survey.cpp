@@ -24,11 +24,15 @@ namespace fs = std::filesystem;
 
 std::string again(const CheckArguments& arguments) {
   const std::string which = arguments.onlyCase ? fmt::format(" --case {}", *arguments.onlyCase) : "";
-  std::string text =
-      fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}{} --oracle {} --report {}", commandAgain(arguments),
-                  arguments.world.width, arguments.world.height, arguments.world.edits, lengthOf(arguments),
-                  arguments.seed, which, arguments.oracleName(), shellPath(arguments.survey.report));
+  std::string text = !arguments.suites.empty()
+                         ? suitesAgain(arguments) + which
+                         : fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}{} --oracle {} --report {}",
+                                       commandAgain(arguments), arguments.world.width, arguments.world.height,
+                                       arguments.world.edits, lengthOf(arguments), arguments.seed, which,
+                                       arguments.oracleName(), shellPath(arguments.survey.report));
   const auto& survey = arguments.survey;
+  if (!arguments.suites.empty())
+    text += fmt::format(" --oracle {} --report {}", arguments.oracleName(), shellPath(survey.report));
   if (!survey.known.empty()) text += " --known " + shellPath(survey.known);
   if (!survey.replay.empty()) text += " --replay " + shellPath(survey.replay);
   return survey.laws.empty() ? text : text + " --laws " + shellWord(survey.laws);
@@ -78,7 +82,11 @@ Status trySurveyFiles(const SurveyArguments& arguments) {
     fs::create_directories(folder, ignored);
     if (const Status bad = tryOutputs({(fs::path(folder) / "report.md").string()}); bad != Status::fine) return bad;
   }
-  return tryOutputs({arguments.json, arguments.junit, arguments.fix ? arguments.known : ""});
+  const Status status = tryOutputs({arguments.json, arguments.junit, arguments.fix ? arguments.known : ""});
+  for (const std::string& results :
+       {arguments.json, arguments.junit})  // those of an earlier run say nothing of this one
+    if (status == Status::fine && !results.empty() && results != "-") fs::remove(results, ignored);
+  return status;
 }
 
 SurveyRun::SurveyRun(const CheckArguments& arguments, const CheckOptions& options)
@@ -127,6 +135,7 @@ Status SurveyRun::playFirst(CheckStats& stats) {
     add(*found, *trace, stats);
     kept_.insert(identityOf({"", *trace}));
   }
+  survey_->lookAnew();  // what failed before does not stand in the way of what is new
   return Status::fine;
 }
 
@@ -188,6 +197,8 @@ Status SurveyRun::finish(const Totals& totals) {
   if (!json.empty()) status = worst(status, write(json, asJson(results)));
   if (!junit.empty()) status = worst(status, write(junit, asJUnit(results)));
   if (!replay.empty()) status = worst(status, keepFaults());
+  if (const std::size_t there = known_.size() - gone_.size(); there != 0)
+    fmt::print("{} of {} still there\n", there, counted(known_.size(), "known mismatch"));
   fmt::print(
       "{}\nreport     {}/report.md, report.html\n",
       results.areFine() ? hasFound() ? "no mismatch that is not known" : "no mismatch" : "MISMATCHES of some kinds",

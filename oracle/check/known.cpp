@@ -100,7 +100,8 @@ tl::expected<std::vector<KnownMismatch>, std::string> parseKnown(std::string_vie
   };
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view content = text.substr(0, end);
+    std::string_view content = text.substr(0, end);
+    if (content.ends_with('\r')) content.remove_suffix(1);
     text.remove_prefix(std::min(end + 1, text.size()));
     ++line;
     if (known.empty() && content.starts_with('#')) continue;

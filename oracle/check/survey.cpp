@@ -51,9 +51,17 @@ void Survey::add(const Mismatch& found, const Trace& trace, const CheckStats& st
   const std::string kind = kindOfFinding(found, *options_.engine);
   Entry& entry = kinds_[kind];
   ++entry.count;
-  if (entry.count <= (isHang ? std::min(kHangs, how_.shrunk) : how_.shrunk)) shrink(kind, entry, found, trace);
+  std::uint64_t& looked = isAdvice(found, options_.recommended) ? entry.advice : entry.faults;
+  if (looked < (isHang ? std::min(kHangs, how_.shrunk) : how_.shrunk)) {
+    ++looked;
+    shrink(kind, entry, found, trace);
+  }
   if (isHang && entry.count >= kHangs) options_.engine->hurry(true);
   write(stats);
+}
+
+void Survey::lookAnew() {
+  for (auto& [kind, entry] : kinds_) entry.faults = entry.advice = 0;
 }
 
 void Survey::add(const Failure& failure) {
@@ -81,7 +89,7 @@ void Survey::shrink(const std::string& kind, Entry& entry, const Mismatch& found
   const Mismatch& shown = again ? *again : found;
   const std::string identity = identityOf({kind, small});
   const State state = isOne ? State::advice : known_.contains(identity) ? State::known : State::fault;
-  if (!met_.insert(identity).second) return;
+  if (!met_.insert(identity + (isOne ? " advice" : "")).second) return;
   entry.findings.push_back({small, describe(shown, small), state});
   std::ranges::stable_sort(entry.findings, {}, [](const Finding& one) { return sizeOf(one.trace); });
   if (entry.findings.front().trace == small) keep(kind, small, {draw(shown), page(shown, small)});

@@ -35,7 +35,8 @@ class Survey {
   };
   struct Entry {
     std::uint64_t count = 0;
-    std::vector<Finding> findings;  ///< no two are alike; the smallest comes first
+    std::uint64_t faults = 0, advice = 0;  ///< of these, for how many the smallest trace was looked for
+    std::vector<Finding> findings;         ///< no two are alike; the smallest comes first
   };
 
   /// Takes a mismatch that checkTrace() has found, or has advised of. The first ones of a kind are shrunk. After some
@@ -44,6 +45,9 @@ class Survey {
 
   /// Takes what an engine did at its greeting, or at the end of its input. No trace is to blame.
   void add(const Failure& failure);
+
+  /// The first ones of a kind are shrunk anew.
+  void lookAnew();
 
   const std::map<std::string, Entry>& kinds() const { return kinds_; }  ///< of findings
   bool isEmpty() const { return kinds_.empty(); }

@@ -113,7 +113,7 @@ void Editor::remember(Cell cell) {
   const auto forgetMarks = [&] {  // while there are some nothing is forgotten
     while (model_.hasMarks() && random_.chance(95)) make(Call::of(forget));
   };
-  switch (random_.below(11)) {
+  switch (random_.below(12)) {
     case 0:
     case 1:
     case 2:
@@ -138,7 +138,8 @@ void Editor::remember(Cell cell) {
       if (random_.chance(80)) turn(reload, cell);
       return random_.chance(50) ? turn(reload, cell) : void();
     }
-    case 8: {  // so much comes and goes that a cell needs a list
+    case 8:
+    case 9: {  // so much comes and goes that a cell needs a list
       Call call = Call::of(repeat), square = Call::of(addShape), gone = Call::of(clear);
       square.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
       gone.cells = {cell, cell};
@@ -147,7 +148,7 @@ void Editor::remember(Cell cell) {
       if (near_.in(cell).empty()) make(std::move(call));
       return;
     }
-    case 9: {  // a cell of many polygons leaves, and comes back
+    case 10: {  // a cell of many polygons leaves, and comes back
       constexpr std::int32_t kSide = kUnitsPerCell / 4;
       Call many = Call::of(addShape);
       many.comes = {{.cell = cell, .block = random_.pick(habits_.blocks)}};

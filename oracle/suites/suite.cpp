@@ -99,14 +99,16 @@ tl::expected<Suite, std::string> readSuite(const std::string& path) {
     return done ? tl::expected<Suite, std::string>(std::move(suite)) : tl::unexpected(done.error());
   }
   std::vector<fs::path> files;
-  for (auto at = fs::recursive_directory_iterator(path, ignored); at != fs::recursive_directory_iterator();
-       at.increment(ignored)) {
+  std::error_code unread;
+  for (auto at = fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied, unread);
+       at != fs::recursive_directory_iterator(); at.increment(unread)) {
     if (!at->is_regular_file(ignored)) continue;
     const bool isResult =
         hasResultName(at->path()) && fs::exists(fs::path(at->path()).replace_filename("args.geojson"), ignored);
     if (isOfSuites(at->path()) && !isResult) files.push_back(at->path());
     if (!isOfSuites(at->path())) ++suite.leftOut["file whose name does not end in txt, json, geojson, wkt or xml"];
   }
+  if (unread) ++suite.leftOut["folder that can not be read to its end: " + unread.message()];
   std::ranges::sort(files);
   for (const fs::path& file : files)
     if (const Read done = readFileOf(file, suite); !done) ++suite.leftOut[done.error()];
