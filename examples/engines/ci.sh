@@ -7,7 +7,7 @@
 # is written anew. What fails is kept in out/ci/kept, and is played first the next time. LGS_CI_SEED picks other worlds,
 # for which another list is needed; LGS_CI_EDITS says how many edits are made. The exit status is that of lgs check.
 set -euo pipefail
-if (($# < 4)); then
+if (($# < 3)); then
   sed -n '2,/^set/{/^#/p}' "$0" >&2
   exit 2
 fi
