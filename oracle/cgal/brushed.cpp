@@ -120,7 +120,8 @@ class Strokes {
       for (const auto& ring : strokes[k].rings) curves.addRing(2 * blocks_.size() + k, ring);
     faces_ = facesOf(curves, 2 * blocks_.size() + strokes.size());
     for (const std::vector<int>& windings : faces_.windings) {
-      exact_.push_back(exactIn(windings));
+      stages_.push_back(stagesIn(windings));
+      exact_.push_back(stages_.back().back());
       const auto first = windings.begin() + static_cast<std::ptrdiff_t>(blocks_.size());
       real_.emplace_back(first, first + static_cast<std::ptrdiff_t>(blocks_.size()));
       real_.back().push_back(std::ranges::any_of(real_.back(), [](int n) { return n > 0; }) ? 1 : 0);
@@ -177,10 +178,12 @@ class Strokes {
     return static_cast<std::size_t>(std::ranges::lower_bound(blocks_, block) - blocks_.begin());
   }
 
-  Solid exactIn(const std::vector<int>& windings) const {
+  // Before the strokes, and after each of them.
+  std::vector<Solid> stagesIn(const std::vector<int>& windings) const {
     Solid solid;
     for (std::size_t k = 0; k < blocks_.size(); ++k) solid.push_back(windings[k] > 0);
     solid.push_back(std::ranges::find(solid, true) != solid.end());
+    std::vector<Solid> stages{solid};
     for (std::size_t k = 0; k < strokes_.size(); ++k) {
       const BrushEdit& stroke = strokes_[k];
       const int winding = windings[2 * blocks_.size() + k];
@@ -190,11 +193,13 @@ class Strokes {
       };
       const bool isInside = stroke.isEvenOdd ? winding % 2 != 0 : winding > 0;
       const bool isKept = stroke.deed == BrushEdit::Deed::fill && solid.back();
-      if (!isInside || isKept || std::ranges::any_of(stroke.staying, stays)) continue;
-      solid.assign(solid.size(), false);
-      if (stroke.deed != BrushEdit::Deed::carve) solid[numberOf(stroke.block)] = solid.back() = true;
+      if (isInside && !isKept && std::ranges::none_of(stroke.staying, stays)) {
+        solid.assign(solid.size(), false);
+        if (stroke.deed != BrushEdit::Deed::carve) solid[numberOf(stroke.block)] = solid.back() = true;
+      }
+      stages.push_back(solid);
     }
-    return solid;
+    return stages;
   }
 
   std::string inWords(const Triangle& t, std::size_t k, std::int64_t units) const {
@@ -214,9 +219,15 @@ class Strokes {
 
   static bool ofAnyBlock(const Solid& left, const Solid& right) { return left != right; }
 
+  // Of what each stroke leaves: where an edge was rounded, and the next stroke covers it, the outline may have moved far
+  // along an edge that is nearly parallel.
   Edges edgesWhere(bool (*differ)(const Solid&, const Solid&)) const {
     std::vector<Border> edges = faces_.borders;
-    std::erase_if(edges, [&](const Border& border) { return !differ(exact_[border.left], exact_[border.right]); });
+    std::erase_if(edges, [&](const Border& border) {
+      for (std::size_t k = 1; k <= strokes_.size(); ++k)
+        if (differ(stages_[border.left][k], stages_[border.right][k])) return false;
+      return strokes_.size() != 0 || !differ(exact_[border.left], exact_[border.right]);
+    });
     return joined(edges);
   }
 
@@ -237,7 +248,8 @@ class Strokes {
   std::span<const BrushEdit> strokes_;
   std::vector<Block> blocks_;  // sorted
   Faces faces_;
-  std::vector<Solid> exact_;  // of each face
+  std::vector<std::vector<Solid>> stages_;  // of each face
+  std::vector<Solid> exact_;                // the last ones
   std::vector<std::vector<int>>
       real_;  // how often the outline runs around it, by block; at the end, whether it is solid
 };

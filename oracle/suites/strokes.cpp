@@ -85,7 +85,8 @@ bool isInside(Filled rule, int winding) {
 std::vector<RuledRings> onLattice(const Operand& operand, const Lattice& lattice) {
   std::vector<RuledRings> regions;
   for (const SuitePart& part : operand) {
-    RuledRings& region = regions.emplace_back(Rings(), [rule = part.rule](int n) { return isInside(rule, n); });
+    regions.push_back({Rings(), [rule = part.rule](int n) { return isInside(rule, n); }});
+    RuledRings& region = regions.back();
     for (const auto& vertices : part.rings) {
       std::vector<Point> ring;
       for (const auto& v : vertices)
