@@ -173,7 +173,9 @@ Status SurveyRun::fix() const {
 void SurveyRun::print() const {
   using State = Survey::State;
   for (const auto& [kind, entry] : survey_->kinds()) {
-    const auto of = [&](State state) { return std::ranges::count(entry.findings, state, &Survey::Finding::state); };
+    const auto of = [&findings = entry.findings](State state) {
+      return std::ranges::count(findings, state, &Survey::Finding::state);
+    };
     fmt::print("{}, {}; of the smallest traces {} are a fault, {} known, {} advice\n", kind,
                counted(entry.count, "time"), of(State::fault), of(State::known), of(State::advice));
     const auto fault = std::ranges::find(entry.findings, State::fault, &Survey::Finding::state);

@@ -30,7 +30,7 @@ Trace turned(Trace trace, int symmetry) {
       turn(coming.cell.i, coming.cell.j, symmetry, -1);
       for (LocalPolygon& polygon : coming.shape) {
         polygon = oracle::turned(polygon, symmetry);
-        std::ranges::rotate(polygon, std::ranges::min_element(polygon));
+        std::rotate(polygon.begin(), std::ranges::min_element(polygon), polygon.end());
       }
     }
     for (auto& ring : call.brush.rings)
