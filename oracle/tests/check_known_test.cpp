@@ -35,7 +35,7 @@ TEST(CheckKnown, OneMismatchHasOneIdentity) {
         if (symmetry & 4) std::swap(c.i, c.j);
         c = {c.i + 1'000'000, c.j - 7};
         coming.shape[0] = turned(coming.shape[0], symmetry);
-        std::ranges::rotate(coming.shape[0], coming.shape[0].begin() + 1);
+        std::rotate(coming.shape[0].begin(), coming.shape[0].begin() + 1, coming.shape[0].end());
         coming.names[0] += "x";
       }
       for (Named& named : call.goes) named.name += "x";
