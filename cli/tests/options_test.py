@@ -29,7 +29,7 @@ FILES = ["", " ", "{folder}", "{folder}/none/none", "/dev/null/x", "/proc/self/m
 REALS = {"SECONDS", "CELLS", "F", "V", "PX", "PIXELS", "X Y"}
 WHOLES = {"N", "S", "K"}
 TEXTS = {"NAME", "NAME=NUMBER", "NAME[=VALUE]", "TEXT", "KIND", "WxH", "COMMAND", "'WORD ...'", "LETTERS", "CLASS"}
-PATHS = {"FILE", "FOLDER", "FOLDER...", "FILE.lgs", "DIR", "TRACE", "FILE.so", "MAP"}
+PATHS = {"FILE", "FILE...", "FOLDER", "FOLDER...", "FILE.lgs", "DIR", "TRACE", "FILE.so", "MAP"}
 ENGINES = {"--engine", "--engine-so"}  # the only options with which a mismatch is an answer
 
 # What each command needs to end soon, and what options need beside them.
