@@ -59,8 +59,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   std::optional<SurveyRun> survey;
   if (arguments.survey.isGiven) {
     survey.emplace(arguments, options);
-    options.advise = [&](const Mismatch& found) { survey->advise(found); };
-    if (const Status bad = survey->playFirst(totals.stats); bad != Status::fine) return bad;
+    if (const Status bad = survey->begin(options, totals.stats); bad != Status::fine) return bad;
   }
   const std::uint64_t before = totals.stats.edits;
   std::uint64_t lost = 0;  // edits that were not made, because the engine gave no answer to some before them

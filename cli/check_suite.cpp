@@ -76,8 +76,7 @@ Status play(const CheckArguments& arguments, const Suites& suites, std::size_t& 
   std::optional<SurveyRun> survey;
   if (arguments.survey.isGiven) {
     survey.emplace(arguments, options);
-    options.advise = [&](const Mismatch& found) { survey->advise(found); };
-    if (const Status bad = survey->playFirst(totals.stats); bad != Status::fine) return bad;
+    if (const Status bad = survey->begin(options, totals.stats); bad != Status::fine) return bad;
   }
   for (at = 0; at < suites.cases.size(); ++at) {
     const Playable& playable = suites.cases[at];

@@ -113,6 +113,11 @@ SurveyRun::Played SurveyRun::play(const Trace& trace, const std::string& where, 
   return std::move(*found);
 }
 
+Status SurveyRun::begin(CheckOptions& options, CheckStats& stats) {
+  options.advise = [this](const Mismatch& found) { advise(found); };
+  return playFirst(stats);
+}
+
 Status SurveyRun::playFirst(CheckStats& stats) {
   if (const Status bad = readKnown(); bad != Status::fine) return bad;
   const auto& [known, replay] = std::tie(arguments_.survey.known, arguments_.survey.replay);

@@ -23,11 +23,9 @@ class SurveyRun {
  public:
   SurveyRun(const CheckArguments& arguments, const oracle::CheckOptions& options);
 
-  /// Plays what is known, and what failed before. Bad input if that can not be read, or the engine can not have it.
-  Status playFirst(oracle::CheckStats& stats);
-
-  /// To be called in the midst of a check, for CheckOptions::advise.
-  void advise(const oracle::Mismatch& found) { advised_.push_back(found); }
+  /// Plays what is known, and what failed before. Bad input if that can not be read, or the engine can not have it. From
+  /// then on checks with these options advise here.
+  Status begin(oracle::CheckOptions& options, oracle::CheckStats& stats);
 
   /// Takes what a check has found, and what it has advised of.
   void add(const std::optional<oracle::Mismatch>& found, const oracle::Trace& trace, const oracle::CheckStats& stats);
@@ -39,6 +37,8 @@ class SurveyRun {
 
  private:
   using Played = tl::expected<std::optional<oracle::Mismatch>, Status>;
+  void advise(const oracle::Mismatch& found) { advised_.push_back(found); }
+  Status playFirst(oracle::CheckStats& stats);
   Status readKnown();
   Played play(const oracle::Trace& trace, const std::string& where, oracle::CheckStats& stats);
   Status fix() const;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
@@ -14,6 +15,7 @@
 #include <cstring>
 #include <map>
 #include <pugixml.hpp>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -111,6 +113,27 @@ std::string tidied(std::string_view text) {
   return line;
 }
 
+// Where the next geometry begins and ends, however its word is written; at the end of the text, if there is none.
+std::pair<std::size_t, std::size_t> nextGeometry(std::string_view upper, std::size_t from) {
+  constexpr std::array<std::string_view, 4> kWords{"POLYGON", "LINESTRING", "POINT", "GEOMETRYCOLLECTION"};
+  constexpr std::string_view kMany = "MULTI";
+  for (;;) {
+    std::size_t begin = std::string_view::npos, end = begin;
+    for (const std::string_view word : kWords)
+      if (const std::size_t at = upper.find(word, from); at < begin) begin = at, end = at + word.size();
+    if (begin == std::string_view::npos) return {upper.size(), upper.size()};
+    from = end;
+    end = std::min(upper.find_first_not_of(" \t\r\nZM", end), upper.size());
+    if (upper.substr(0, begin).ends_with(kMany)) begin -= kMany.size();
+    if (upper.substr(end).starts_with("EMPTY")) return {begin, end + 5};
+    if (!upper.substr(end).starts_with('(')) continue;  // a word of a remark
+    int open = 0;
+    do open += upper[end] == '(' ? 1 : upper[end] == ')' ? -1 : 0;
+    while (++end < upper.size() && open > 0);
+    return {begin, open == 0 ? end : std::string_view::npos};
+  }
+}
+
 }  // namespace
 
 tl::expected<Operand, std::string> geometryOf(std::string_view text) {
@@ -136,27 +159,31 @@ tl::expected<Operand, std::string> geometryOf(std::string_view text) {
 }
 
 Read readWkt(const std::string& file, std::string_view text, Suite& suite) {
-  constexpr std::string_view kWord = "POLYGON";
+  std::string upper(text);
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   std::vector<Operand> pair;
-  std::size_t line = 1, first = 0;
-  for (std::size_t at = 0; (at = text.find(kWord, at)) != std::string_view::npos;) {
-    const std::size_t begin = text.substr(0, at).ends_with("MULTI") ? at - 5 : at;
+  std::size_t line = 1, first = 0, geometries = 0;
+  for (std::size_t at = 0; at < upper.size();) {
+    const auto [begin, end] = nextGeometry(upper, at);
+    if (begin == upper.size()) break;
     line += static_cast<std::size_t>(std::ranges::count(text.substr(first, begin - first), '\n'));
     first = begin;
-    std::size_t end = text.find_first_of("(\n", at);
-    int open = 0;
-    if (end != std::string_view::npos && text[end] == '(') do
-        open += text[end] == '(' ? 1 : text[end] == ')' ? -1 : 0;
-      while (++end < text.size() && open > 0);
-    end = std::min(end, text.size());
-    auto geometry =
-        open == 0 ? geometryOf(text.substr(begin, end - begin)) : tl::unexpected<std::string>("a ( is never closed");
-    if (!geometry) return tl::unexpected(fmt::format("{}: {}", line, geometry.error()));
-    pair.push_back(std::move(*geometry));
-    if (pair.size() == 2) suite.add(fmt::format("{}:{}", file, line), kAllOperations, std::exchange(pair, {}));
+    if (end == std::string_view::npos) return tl::unexpected(fmt::format("{}: a ( is never closed", line));
+    const std::string_view one = std::string_view(upper).substr(begin, end - begin);
     at = end;
+    if (one.starts_with("POLYGON") || one.starts_with("MULTIPOLYGON")) {
+      auto geometry = geometryOf(one);
+      if (!geometry) return tl::unexpected(fmt::format("{}: {}", line, geometry.error()));
+      pair.push_back(std::move(*geometry));
+    }
+    if (++geometries % 2 != 0) continue;
+    if (pair.size() == 2)
+      suite.add(fmt::format("{}:{}", file, line), kAllOperations, std::move(pair));
+    else
+      ++suite.leftOut["pair of geometries that are not both polygons"];
+    pair.clear();
   }
-  if (!pair.empty()) ++suite.leftOut["last polygon of a text, which is no pair"];
+  if (geometries % 2 != 0) ++suite.leftOut["last geometry of a text, which is no pair"];
   return {};
 }
 

@@ -114,6 +114,10 @@ TEST_F(Suites, OfGeoJson) {
 TEST_F(Suites, OfWktAndXml) {
   const std::string a = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))", b = "MULTIPOLYGON(((2 2, 6 2,\n6 6, 2 6, 2 2)))";
   expectSquares(read("pairs.wkt", a + "\n" + b + "\n"), kAllAreas);
+  const Suite mixed = read("mixed.wkt", "# a point first\nPoint (1 2)\n" + a + "\npolygon((0 0,4 0,4 4,0 4,0 0))\n" +
+                                            b + "\nLINESTRING EMPTY\n");
+  expectSquares(mixed, kAllAreas);
+  EXPECT_EQ(mixed.leftOut.size(), 2U) << "a pair with a point, and a last one";
   const std::string wkb =  // the square b
       "010300000001000000050000000000000000000040000000000000004000000000000018400000000000000040"
       "000000000000184000000000000018400000000000000040000000000000184000000000000000400000000000000040";

@@ -140,6 +140,15 @@ TEST(Regions, AreAsNearAsTheEngineSays) {
   }
 }
 
+// The edge of the first stroke is rounded where it leaves its cell, and the second one has an edge nearly along it: they
+// cross some units from where the exact ones do.
+TEST(Regions, StrokesOfOneCommitAreMeasuredAgainstWhatEachLeaves) {
+  Brushes engine("slants regions round=1");
+  const auto mismatch =
+      found(engine, traceOf("lgs-trace 2\npaint 1 fill 29/32 1.5 1 0 0.9375 0\npaint 1 fill 0 0 1 0 29/32 1\n"));
+  EXPECT_FALSE(mismatch) << mismatch->text;
+}
+
 TEST(Regions, GhostsAndBlocksAreComparedIfTheyAreDeclared) {
   const auto recoloured = [](Outline& o) {
     for (OutlineSegment& s : o) s.block = 3 - s.block;
