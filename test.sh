@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # The tests, from a fresh clone. Installs by apt what is missing first.
 #
-#   ./test.sh        all: laws, costs and packages in Release with g++; for two minutes planted bugs of what changed in
+#   ./test.sh        all: laws at half their scale, costs and packages in Release with g++; for a minute planted bugs of what changed in
 #                    lib/ since LGS_SINCE (default: the last 20 commits), as far as Git knows; all tests with clang++ and
 #                    the address and undefined-behaviour sanitizers; those of threads with the thread sanitizer; and the
 #                    web side, in Node and Chromium, unless LGS_WEB=OFF
 #   ./test.sh quick  the heart alone, while one works: all laws of engine, brushes and views at a small scale,
 #                    regressions, two seconds of each fuzzer
-#   ./test.sh full   for a night: all at three times the scale, all planted bugs of what changed since LGS_SINCE, half
+#   ./test.sh full   for a night: all at three times their scale, all planted bugs of what changed since LGS_SINCE, half
 #                    an hour of fuzzing, and a canary that must be found
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -34,8 +34,8 @@ plant() {
   local begin log=$logs/planted.log
   begin=$(since)
   [[ $begin ]] || return 0
-  timeout 180 proptests/bugs/run.py --built build/release --changed "$begin" --sample 12 --seed "$(date +%j)" \
-    --minutes 2 --results "$logs/planted.jsonl" >"$log" 2>&1 || true
+  timeout 120 proptests/bugs/run.py --built build/release --changed "$begin" --sample 12 --seed "$(date +%j)" \
+    --minutes 1 --results "$logs/planted.jsonl" >"$log" 2>&1 || true
   grep SURVIVES "$log" || true
   summary+="$(grep -c '^\[[0-9]*/' "$log" || true) planted bugs of which $(grep -c SURVIVES "$log" || true) survive, "
 }
@@ -94,7 +94,10 @@ case ${1:-} in
     show fuzz "Fuzzing, half an hour" fuzz/run.sh --cpu-hours "$(awk "BEGIN { print $(nproc) / 2 }")"
     show canary "A canary, which must be found" proptests/bugs/run.py --canary "$(date +%j)"
     ;;
-  "") everything ;;
+  "")
+    export LGS_TEST_SCALE=${LGS_TEST_SCALE:-0.5}
+    everything
+    ;;
   *)
     sed -n '2,/^set/{/^#/p}' "$0" >&2
     exit 2
