@@ -28,6 +28,11 @@ using Points = List<Point>;
 inline constexpr std::array<Point, 4> kCorners{
     {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
 
+/// The vertices of pieces that are one convex ring, counter-clockwise. They may be in the middle of straight lines.
+/// Nothing if they are not, or if there are more than kMostConvexPieces.
+std::optional<Points> convexRing(PieceSpan pieces);
+inline constexpr std::size_t kMostConvexPieces = 16;
+
 /// x = at, or y = at.
 struct Line {
   bool isVertical = true;
