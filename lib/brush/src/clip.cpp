@@ -32,13 +32,19 @@ struct Corner {
   unsigned nextLeft, nextRight;
 };
 
+/// Where an outline's corners and cuts begin.
+struct Begin {
+  std::size_t corner, cut;
+};
+
 /// Where the edge of an outline crosses a blade.
 struct Cut {
   Point at;
   std::size_t corner;  ///< where the edge begins
   std::size_t blade;
-  bool enters;          ///< the edge goes into the region
-  std::size_t partner;  ///< the cut at the other end of the chain's part inside the outline
+  bool enters;              ///< the edge goes into the region; if not, out of it
+  std::size_t partner = 0;  ///< of one that enters: where the chain that it comes to came into the outline
+  bool isWalked = false;    ///< of one that leaves
 };
 
 /// The blades of a convex part of the region, in the order of its ring. None if there are no two points of the rim where
@@ -47,7 +53,7 @@ List<Blade> bladesOf(PieceSpan region) {
   List<Blade> blades;
   const auto isOfRim = [](const Piece& p) { return !p.isOfRegion; };
   const auto first = static_cast<std::size_t>(std::ranges::find_if(region, isOfRim) - region.begin());
-  if (first == region.size() || !convexRing(region)) return blades;
+  if (first == region.size() || !isConvexRing(region)) return blades;
   blades.reserve(region.size());
   std::size_t chain = 0;
   for (std::size_t n = 0; n < region.size(); ++n) {
@@ -110,14 +116,15 @@ class Clip {
     if (count > kMostCorners) return false;
     corners_.reserve(count);
     cuts_.reserve(2 * count);
+    begins_.reserve(ground_.outlines.size() + 1);
     for (std::size_t o = 0; o < ground_.outlines.size(); ++o) {
       const auto& [area, ring] = ground_.outlines[o];
       const bool cuts = isGroup(ground_.outlines[o]);
-      firstCorner_.push_back(corners_.size());
-      firstCut_.push_back(cuts_.size());
+      const std::size_t first = corners_.size();
+      begins_.push_back({first, cuts_.size()});
       for (const Point p : ring) addCorner(p, cuts);
-      for (std::size_t k = firstCorner_.back(); k < corners_.size(); ++k) {
-        const Corner& next = corners_[k + 1 == corners_.size() ? firstCorner_.back() : k + 1];
+      for (std::size_t k = first; k < corners_.size(); ++k) {
+        const Corner& next = corners_[k + 1 == corners_.size() ? first : k + 1];
         corners_[k].next = next.at;
         corners_[k].nextLeft = next.left;
         corners_[k].nextRight = next.right;
@@ -130,8 +137,7 @@ class Clip {
         if (sorted.size() != ring.size()) return false;
       }
     }
-    firstCorner_.push_back(corners_.size());
-    firstCut_.push_back(cuts_.size());
+    begins_.push_back({corners_.size(), cuts_.size()});
     return true;
   }
 
@@ -154,7 +160,7 @@ class Clip {
       if ((crossed >> b & 1) == 0 || orientation(c.at, c.next, p.a) * orientation(c.at, c.next, p.b) >= 0) continue;
       const auto pixel = crossingPixel({c.at, c.next, c.at, c.next, {}, true}, {p.a, p.b, p.start, p.end, {}, true});
       if (!pixel) return false;
-      cuts_.push_back({*pixel, k, b, (c.right >> b & 1) != 0, 0});
+      cuts_.push_back({*pixel, k, b, (c.right >> b & 1) != 0});
     }
     const std::size_t count = cuts_.size() - first;
     if (count == 2 && dot(cuts_[first].at - c.at, c.next - c.at) > dot(cuts_[first + 1].at - c.at, c.next - c.at))
@@ -213,10 +219,11 @@ class Clip {
     const auto box = detail::boundingBox(std::array{from, to});
     for (std::size_t h = 0; h < hot_.size(); ++h) {
       const Point z = hot_[h];
-      if (z.x < box.min.x || z.x > box.max.x || z.y < box.min.y || z.y > box.max.y || !passesPixel(from, to, z))
-        continue;
+      if (z.x < box.min.x || z.x > box.max.x || z.y < box.min.y || z.y > box.max.y) continue;
+      if (h < ofRegion_ && (z == from || z == to)) continue;
+      if (!passesPixel(from, to, z)) continue;
       if (h < ofRegion_) {
-        if (z != from && z != to && (firstCut != endCut || orientation(from, to, z) != 0)) return true;
+        if (firstCut != endCut || orientation(from, to, z) != 0) return true;
         continue;
       }
       bool isOwn = false;
@@ -229,9 +236,10 @@ class Clip {
   /// Adds what is left of a group's outline, by least vertex. A blade runs through the outline from one cut to the next
   /// one. So one goes along the outline up to where it enters the region, and back along the chain.
   bool walk(std::size_t o, List<Points>& rings) {
-    const std::size_t first = firstCut_[o], end = firstCut_[o + 1];
-    if (first == end) return corners_[firstCorner_[o]].left == all();  // nothing is left; or it is but touched
+    const std::size_t first = begins_[o].cut, end = begins_[o + 1].cut;
+    if (first == end) return corners_[begins_[o].corner].left == all();  // nothing is left; or it is but touched
     List<std::size_t> along;
+    along.reserve(end - first);
     for (std::size_t c = first; c < end; ++c) along.push_back(c);
     detail::sort(along, [&](std::size_t c, std::size_t d) {
       const Cut &u = cuts_[c], &v = cuts_[d];
@@ -244,23 +252,21 @@ class Clip {
       Cut &u = cuts_[along[k]], &v = cuts_[along[k + 1]];
       if (u.enters || !v.enters || blades_[u.blade].chain != blades_[v.blade].chain) return false;
       v.partner = along[k];
-      u.partner = first;  // not walked
     }
-    const std::size_t firstCorner = firstCorner_[o], count = firstCorner_[o + 1] - firstCorner;
-    List<bool> isDone(end - first, false);
+    const std::size_t firstCorner = begins_[o].corner, endCorner = begins_[o + 1].corner;
     for (std::size_t c = first; c < end; ++c) {
-      if (cuts_[c].enters || isDone[c - first]) continue;
+      if (cuts_[c].enters || cuts_[c].isWalked) continue;
       Points ring;
-      ring.reserve(count + (end - first) + region_.size());
-      for (std::size_t leaves = c; !isDone[leaves - first];) {
-        isDone[leaves - first] = true;
+      ring.reserve(endCorner - firstCorner + (end - first) + blades_.size());
+      for (std::size_t leaves = c; !cuts_[leaves].isWalked;) {
+        cuts_[leaves].isWalked = true;
         const std::size_t enters = leaves + 1 == end ? first : leaves + 1;
         if (!cuts_[enters].enters) return false;
         ring.push_back(cuts_[leaves].at);
         if (cuts_[enters].corner != cuts_[leaves].corner || enters < leaves) {
           std::size_t k = cuts_[leaves].corner;
           do {
-            k = k + 1 == firstCorner + count ? firstCorner : k + 1;
+            k = k + 1 == endCorner ? firstCorner : k + 1;
             ring.push_back(corners_[k].at);
           } while (k != cuts_[enters].corner);
         }
@@ -279,7 +285,7 @@ class Clip {
   List<Blade> blades_;
   List<Corner> corners_;
   List<Cut> cuts_;
-  List<std::size_t> firstCorner_, firstCut_;  ///< by outline, with the end of the last one
+  List<Begin> begins_;  ///< by outline, with the end of the last one
   Points hot_;  ///< corners, then those of the cell, then ends of blades from ofRegion_ on, then cuts from ofCuts_ on
   std::size_t ofRegion_ = 0, ofCuts_ = 0;
 };

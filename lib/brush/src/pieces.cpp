@@ -119,28 +119,6 @@ Pieces cutAtEnds(PieceSpan pieces) {
   return parts;
 }
 
-/// Whether the pieces are one ring, each beginning where the one before it ends.
-bool isOneRing(PieceSpan pieces) {
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-    if (pieces[k].end != nextVertex(pieces, k).start) return false;
-  return true;
-}
-
-/// Whether a ring turns left all the time, once around. Vertices may be in the middle of straight lines.
-bool isConvex(const Points& ring) {
-  const auto isUp = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); };
-  int upwards = 0;  // how often it begins to
-  Vector in = ring.front() - ring.back();
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vector out = nextVertex(ring, k) - ring[k];
-    const std::int64_t turn = cross(in, out);
-    if (turn < 0 || (turn == 0 && dot(in, out) < 0)) return false;
-    upwards += !isUp(in) && isUp(out) ? 1 : 0;
-    in = out;
-  }
-  return upwards == 1;
-}
-
 }  // namespace
 
 Pieces piecesOf(std::span<const Point> ring) {
@@ -153,12 +131,20 @@ Pieces piecesOf(std::span<const Point> ring) {
   return pieces;
 }
 
-std::optional<Points> convexRing(PieceSpan pieces) {
-  if (pieces.size() < 3 || pieces.size() > kMostConvexPieces || !isOneRing(pieces)) return std::nullopt;
-  Points ring;
-  ring.reserve(pieces.size());
-  for (const Piece& p : pieces) ring.push_back(p.start);
-  return isConvex(ring) ? std::optional(std::move(ring)) : std::nullopt;
+bool isConvexRing(PieceSpan pieces) {
+  if (pieces.size() < 3 || pieces.size() > kMostConvexPieces) return false;
+  const auto isUp = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); };
+  int upwards = 0;  // how often it begins to: once if it runs around once
+  Vector in = pieces.back().end - pieces.back().start;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].end != nextVertex(pieces, k).start) return false;
+    const Vector out = pieces[k].end - pieces[k].start;
+    const std::int64_t turn = cross(in, out);
+    if (turn < 0 || (turn == 0 && dot(in, out) < 0)) return false;
+    upwards += !isUp(in) && isUp(out) ? 1 : 0;
+    in = out;
+  }
+  return upwards == 1;
 }
 
 Halves halves(PieceSpan ring, Line line) {

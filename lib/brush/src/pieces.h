@@ -28,9 +28,9 @@ using Points = List<Point>;
 inline constexpr std::array<Point, 4> kCorners{
     {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
 
-/// The vertices of pieces that are one convex ring, counter-clockwise. They may be in the middle of straight lines.
-/// Nothing if they are not, or if there are more than kMostConvexPieces.
-std::optional<Points> convexRing(PieceSpan pieces);
+/// Whether pieces are one convex ring, counter-clockwise, of at most kMostConvexPieces. Vertices may be in the middle of
+/// straight lines.
+bool isConvexRing(PieceSpan pieces);
 inline constexpr std::size_t kMostConvexPieces = 16;
 
 /// x = at, or y = at.

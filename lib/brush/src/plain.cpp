@@ -79,17 +79,20 @@ std::optional<CellEdit> plainEdit(std::span<const PlacedPolygon> polygons, Piece
   const bool keepsAll =
       isEmpty ? stroke.deed == Deed::carve : stroke.deed == Deed::fill || stroke.stays(polygons[0].block);
   if (keepsAll) return CellEdit{};
-  const auto ring = convexRing(region);
-  if (!ring || bends(region, *ring)) return std::nullopt;
+  if (!isConvexRing(region)) return std::nullopt;
+  Points ring;
+  ring.reserve(kMostConvexPieces);
+  for (const Piece& p : region) ring.push_back(p.start);
+  if (bends(region, ring)) return std::nullopt;
 
   CellEdit edit;
   if (!isEmpty) {
-    auto parts = fullWithout(*ring);
+    auto parts = fullWithout(ring);
     if (!parts) return std::nullopt;
     edit.gone = {0};
     for (Points& part : *parts) edit.placed.push_back({std::move(part), polygons[0].block, {0}});
   }
-  if (stroke.deed != Deed::carve) edit.placed.push_back({straightened(*ring), stroke.block, {}});
+  if (stroke.deed != Deed::carve) edit.placed.push_back({straightened(ring), stroke.block, {}});
   return edit;
 }
 
