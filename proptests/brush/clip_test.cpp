@@ -58,12 +58,12 @@ Region anyHole(const Place& place, Chance& chance) {
   };
   const std::int64_t radius = 1 + upTo(4 * place.size - 1);
   const Ring around = circle({}, radius, 32).rings[0];
-  const Point rim = around[chance.below(32)];
+  const Point rim = around[chance.below(std::size_t{32})];
   const Point center{place.corner.x + upTo(place.size) - rim.x, place.corner.y + upTo(place.size) - rim.y};
   if (chance.below(3) != 0) return circle(center, radius, chance.below(2) == 0 ? 8 : 32);
   Ring ring;
-  const std::size_t step = 5 + chance.below(9);
-  for (std::size_t k = chance.below(3); k < 32; k += step)
+  const std::size_t step = 5 + chance.below(std::size_t{9});
+  for (std::size_t k = chance.below(std::size_t{3}); k < 32; k += step)
     ring.push_back({center.x + around[k].x, center.y + around[k].y});
   return {{ring}};
 }
