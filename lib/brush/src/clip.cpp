@@ -32,7 +32,7 @@ struct Corner {
   unsigned nextLeft, nextRight;
 };
 
-/// Where an outline's corners and cuts begin.
+/// Which corner and which cut of all is the first one of an outline.
 struct Begin {
   std::size_t corner, cut;
 };
@@ -43,12 +43,12 @@ struct Cut {
   std::size_t corner;  ///< where the edge begins
   std::size_t blade;
   bool enters;              ///< the edge goes into the region; if not, out of it
-  std::size_t partner = 0;  ///< of one that enters: where the chain that it comes to came into the outline
+  std::size_t partner = 0;  ///< of one that enters: where the chain that it meets there came into the outline
   bool isWalked = false;    ///< of one that leaves
 };
 
-/// The blades of a convex part of the region, in the order of its ring. None if there are no two points of the rim where
-/// each chain begins and ends, or if a vertex of the region lies on the rim.
+/// The blades of a convex part of the region, in the order of its ring, which begins each chain on the rim. None if the
+/// part is another one, reaches no rim, or has a vertex on the rim or an end at a corner of the cell.
 List<Blade> bladesOf(PieceSpan region) {
   List<Blade> blades;
   const auto isOfRim = [](const Piece& p) { return !p.isOfRegion; };
