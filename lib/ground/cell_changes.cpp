@@ -63,11 +63,11 @@ void CellChanges::readTurned(const Ground& ground, Journal::Moment commit) {
     for (const LeftPolygon& p : cell.polygons) polygons.push_back({p.handle, p.block, p.vertices});
     add(ground.grid.cellOfAny(cell.ref), polygons, {});
   }
-  std::vector<std::uint32_t> turned;
+  std::vector<std::uint32_t> streamed;
   for (const auto& [chunk, was] : wasLoaded_)
-    if (was != (ground.grid.stateOf(chunk) == ChunkState::loaded)) turned.push_back(chunk);
-  detail::sort(turned);
-  for (const std::uint32_t chunk : turned) {
+    if (was != (ground.grid.stateOf(chunk) == ChunkState::loaded)) streamed.push_back(chunk);
+  detail::sort(streamed);
+  for (const std::uint32_t chunk : streamed) {
     if (ground.grid.stateOf(chunk) != ChunkState::loaded) continue;
     for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
       polygons.clear();
@@ -75,18 +75,18 @@ void CellChanges::readTurned(const Ground& ground, Journal::Moment commit) {
       if (!polygons.empty() && !isNoted(at.ref())) add(at.cell(), {}, polygons);
     }
   }
-  nameEach(ground, turned);
+  nameEach(ground, streamed);
 }
 
-/// A chunk that turned and of which nothing is told is named by a cell that is empty before and now: so followers know
+/// A chunk that was streamed and of which nothing is told is named by a cell that is empty before and now: so followers know
 /// which chunks are in memory.
-void CellChanges::nameEach(const Ground& ground, std::span<const std::uint32_t> turned) {
-  if (turned.empty()) return;
+void CellChanges::nameEach(const Ground& ground, std::span<const std::uint32_t> streamed) {
+  if (streamed.empty()) return;
   const auto cornerOf = [](Cell cell) { return Cell{cell.i & -kChunkSize, cell.j & -kChunkSize}; };
   std::vector<Cell> named;
   for (const CellChange& change : changes_) named.push_back(cornerOf(change.cell));
   detail::sort(named);
-  for (const std::uint32_t chunk : turned) {
+  for (const std::uint32_t chunk : streamed) {
     if (ground.grid.stateOf(chunk) == ChunkState::none) continue;
     const Cell corner = cornerOf(ground.grid.cellOfAny(chunk * kChunkCells));
     if (!std::ranges::binary_search(named, corner)) add(corner, {}, {});

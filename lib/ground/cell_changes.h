@@ -58,7 +58,7 @@ class CellChanges {
 
   bool wasLoaded(const Ground& ground, std::uint32_t chunk) const;
   void readTurned(const Ground& ground, Journal::Moment commit);
-  void nameEach(const Ground& ground, std::span<const std::uint32_t> turned);
+  void nameEach(const Ground& ground, std::span<const std::uint32_t> streamed);
   /// After the last one own() must be called. Until then the vertices must stay where they are.
   void add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now);
   /// Copies all vertices, and makes every span one of what is kept here.
@@ -67,7 +67,7 @@ class CellChanges {
   std::vector<CellChange> changes_;
   std::vector<PlacedPolygon> polygons_;  ///< of each change those before and those of now, one behind the other
   std::vector<LocalPoint> vertices_;     ///< of each polygon, one behind the other
-  std::unordered_map<std::uint32_t, bool> wasLoaded_;  ///< when it was told last; of chunks that turned since
+  std::unordered_map<std::uint32_t, bool> wasLoaded_;  ///< when it was told last; of chunks that were streamed since
   std::vector<LeftCell> left_;                         ///< of those that left
 };
 

@@ -4,6 +4,7 @@
 #include "ground/refusal.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lgs::detail {
 
@@ -200,12 +201,9 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   if (const auto done = check(cells.min, shape); !done) return refuse(done.error());
   const InternedShape& interned = ground_.catalogue.shape(shape);
   const ChunkRect reach(cells);
-  const std::uint64_t room = kMaxChunks - ground_.grid.count();
-  if (reach.count() > room) {  // it may be too many: all chunks are looked at
-    std::uint64_t there = 0;
-    for (const Chunk* chunk : ground_.grid.chunks()) there += reach.contains(*chunk);
-    if (reach.count() - there > room) return refuse({.code = ErrorCode::capacity, .cell = cells.min});
-  }
+  std::uint64_t missing = reach.count();
+  ground_.grid.forEachChunk(cells, [&](const Chunk&) { --missing; });
+  if (missing > kMaxChunks - ground_.grid.count()) return refuse({.code = ErrorCode::capacity, .cell = cells.min});
 
   // First every cell is asked, so that nothing is changed if one refuses. What is worked out stays interned. Cells
   // without polygons, which have room for many serials, are alike: so one of them is asked for all.
@@ -228,23 +226,18 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
 
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
     for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.obtain({ci * kChunkSize, cj * kChunkSize});
-  std::uint64_t count = 0;
-  const std::uint64_t width = static_cast<std::uint64_t>(cells.max.i - std::int64_t{cells.min.i}) + 1;
-  const auto tell = [&](Cell cell, PolygonHandle handle) {
-    const auto row = static_cast<std::uint64_t>(cell.j - std::int64_t{cells.min.j});
-    const std::uint64_t k = row * width + static_cast<std::uint64_t>(cell.i - std::int64_t{cells.min.i});
-    if (k < handles.size()) handles[static_cast<std::size_t>(k)] = handle;
-  };
+  const std::int64_t width = std::int64_t{cells.max.i} - cells.min.i + 1;
+  const std::int64_t height = std::int64_t{cells.max.j} - cells.min.j + 1;
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
     PolygonHandle handle{at.ref(), at.word() + 1};
     if (takesSole(at, interned))
       ground_.setSole(at, interned, {handle.serial, block});
     else
       handle = *add(cell, shape, block, {});
-    if (!handles.empty()) tell(cell, handle);
-    ++count;
+    const std::int64_t k = (std::int64_t{cell.j} - cells.min.j) * width + cell.i - cells.min.i;
+    if (std::cmp_less(k, handles.size())) handles[static_cast<std::size_t>(k)] = handle;
   });
-  return count;
+  return static_cast<std::uint64_t>(width * height);
 }
 
 Expected<std::uint64_t> Edit::clear(const CellRect& cells) {

@@ -17,7 +17,7 @@ void Ground::noteOrDrop(CellAt at) {
 void Ground::exchange(Note& note) {
   if (note.thing == Thing::cell) return exchangeCell(note);
   if (note.thing == Thing::chunk) return exchangeChunk(note);
-  if (note.thing == Thing::turn) return turn(note.key);
+  if (note.thing == Thing::streamed) return stream(note.key);
   assert(note.thing == Thing::commit);  // which holds nothing
 }
 

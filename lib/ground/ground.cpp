@@ -30,7 +30,7 @@ void Ground::beginChunk(const Chunk& chunk) {
 }
 
 std::uint64_t Ground::bytes() const {
-  return Cells::bytes() + journal.bytes() + heldBytes(turned_, rims_, spare_, sleepy_);
+  return Cells::bytes() + journal.bytes() + heldBytes(streamed_, rims_, spare_, sleepy_);
 }
 
 }  // namespace lgs::detail

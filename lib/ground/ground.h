@@ -88,7 +88,7 @@ class Ground : public Cells {
   using Cells::setChangedCells;
 
   /// Whether something changed since the last commit, or a chunk came or went.
-  bool hasChanged() const { return !changedChunks().empty() || !turned_.empty(); }
+  bool hasChanged() const { return !changedChunks().empty() || !streamed_.empty(); }
 
   // --- Chunks that are not in memory (unloaded.cpp)
 
@@ -114,11 +114,11 @@ class Ground : public Cells {
   /// What a cell holds that there is a note of, also if it is unloaded.
   Held heldNow(std::uint32_t ref);
   /// The outline of a chunk is to be renewed as a whole.
-  void turn(std::uint32_t number) { turned_.push_back(number); }
+  void stream(std::uint32_t number) { streamed_.push_back(number); }
   /// The first part of a commit: cells of chunks that came or went, and of the rims beside them, count as changed.
-  void turnChunks() {
-    if (!turned_.empty() || !rims_.empty() || !spare_.empty()) [[unlikely]]
-      doTurns();
+  void streamChunks() {
+    if (!streamed_.empty() || !rims_.empty() || !spare_.empty()) [[unlikely]]
+      doStreaming();
   }
   /// The Chunk of a number in use.
   Chunk& wake(std::uint32_t number) {
@@ -154,14 +154,14 @@ class Ground : public Cells {
   void refreshLater(std::uint32_t number) { rims_.push_back(number); }
   void refreshAround(std::uint32_t number);
   void refreshRim(std::uint32_t number);
-  void doTurns();
-  void noteTurn(std::uint32_t number);
+  void doStreaming();
+  void noteStreamed(std::uint32_t number);
 
   // The work of the next commit, as numbers of chunks, which may be there twice or name none any more.
-  std::vector<std::uint32_t> turned_;  ///< those that came, went, or whose outline is of another time
-  std::vector<std::uint32_t> rims_;    ///< unloaded ones: whether a loaded one is beside may have changed
-  std::vector<std::uint32_t> spare_;   ///< unloaded ones: of what is kept there may be fewer notes
-  std::vector<std::uint32_t> sleepy_;  ///< during a commit: unloaded ones without a loaded one beside
+  std::vector<std::uint32_t> streamed_;  ///< those that came, went, or whose outline is of another time
+  std::vector<std::uint32_t> rims_;      ///< unloaded ones: whether a loaded one is beside may have changed
+  std::vector<std::uint32_t> spare_;     ///< unloaded ones: of what is kept there may be fewer notes
+  std::vector<std::uint32_t> sleepy_;    ///< during a commit: unloaded ones without a loaded one beside
 };
 
 }  // namespace lgs::detail

@@ -6,7 +6,7 @@
 // has in the whole world (law 14). Otherwise it is asleep. Going back changes what a cell is, loaded or not: of each
 // cell that there is a note of the border keeps what it is, and not what the bytes say.
 //
-// Whatever turns goes into one list of work. The next commit does it all, in the order of places.
+// Chunks that were streamed, in or out, go into one list of work. The next commit does it all, in the order of places.
 #include "geometry/sort.h"
 #include "ground/ground.h"
 
@@ -122,7 +122,7 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
   }
   shrink(border.kept);
   grid.unload(chunk, std::move(border));
-  turn(number);
+  stream(number);
 }
 
 Chunk& Ground::load(std::uint32_t number, CellMask& known) {
@@ -140,7 +140,7 @@ Chunk& Ground::load(std::uint32_t number, CellMask& known) {
     drop(at.word());
     lay(at, 0, 0);
   }
-  turn(number);
+  stream(number);
   return chunk;
 }
 
@@ -221,17 +221,17 @@ void Ground::trim(std::uint32_t number) {
 
 // --- The work of the next commit
 
-void Ground::doTurns() {
-  const std::vector<std::uint32_t> turned = byRows(std::exchange(turned_, {}));
-  for (const std::uint32_t number : turned) {
-    noteTurn(number);
+void Ground::doStreaming() {
+  const std::vector<std::uint32_t> streamed = byRows(std::exchange(streamed_, {}));
+  for (const std::uint32_t number : streamed) {
+    noteStreamed(number);
     grid.wake(number);
     refreshAround(number);
   }
   std::vector<std::uint32_t> changed = byRows(std::exchange(rims_, {}));
   for (const std::uint32_t number : changed) refreshRim(number);
   rims_.clear();  // those that were woken just now
-  changed.insert(changed.end(), turned.begin(), turned.end());
+  changed.insert(changed.end(), streamed.begin(), streamed.end());
   for (const std::uint32_t number : byRows(std::move(changed)))
     if (grid.stateOf(number) != ChunkState::asleep) touchAll(grid.chunk(number));
   for (const std::uint32_t number : byRows(std::exchange(spare_, {})))
@@ -239,8 +239,8 @@ void Ground::doTurns() {
 }
 
 /// The outline of a chunk changes by what is loaded, and is another one after going back beyond that.
-void Ground::noteTurn(std::uint32_t number) {
-  if (journal.isOn() && !journal.isNoted(Thing::turn, number)) journal.add(Thing::turn, number);
+void Ground::noteStreamed(std::uint32_t number) {
+  if (journal.isOn() && !journal.isNoted(Thing::streamed, number)) journal.add(Thing::streamed, number);
 }
 
 void Ground::refreshAround(std::uint32_t number) {
@@ -260,7 +260,7 @@ void Ground::refreshRim(std::uint32_t number) {
     putRimToSleep(number);
     sleepy_.push_back(number);
   }
-  if (grid.stateOf(number) != ChunkState::asleep) noteTurn(number);
+  if (grid.stateOf(number) != ChunkState::asleep) noteStreamed(number);
 }
 
 std::vector<std::uint32_t> Ground::sleep() {

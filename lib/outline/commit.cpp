@@ -43,7 +43,7 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
   changes_.relinked.clear();
   isFiltered_ = ground.grid.unloadedCount() != 0 || hidden_.any();
   if (isFiltered_) [[unlikely]]
-    dropTurned(ground);
+    dropStreamed(ground);
   if (kHasThreads && executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
     build(ground, *this, executor);
   } else {
@@ -65,12 +65,12 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
 
 /// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names
 /// a hidden segment and then one that is not, or the other way around.
-void Outline::dropTurned(const Ground& ground) {
+void Outline::dropStreamed(const Ground& ground) {
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == hidden_.are(chunk->index)) continue;
     clear(*chunk);
     if (journal_) noteHidden(chunk->index);
-    hidden_.turn(chunk->index);
+    hidden_.stream(chunk->index);
   }
 }
 

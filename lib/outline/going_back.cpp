@@ -119,7 +119,7 @@ void Outline::exchange(const Grid& grid, Journal& journal, Note& note) {
 }
 
 void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32_t> ids, Changes& changes,
-                   const std::function<void()>& go, const std::function<bool()>& turn) {
+                   const std::function<void()>& go, const std::function<bool()>& stream) {
   detail::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // clang 14 does not take the one of std::ranges
   const SeenById before = look(grid, *this, ids);
@@ -128,7 +128,7 @@ void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32
   segments.setLength(state.ids);
   version_ = state.version;
   changes = {};
-  if (turn()) {  // what is not noted was until then as it was before
+  if (stream()) {  // what is not noted was until then as it was before
     const auto take = [&](const std::vector<SegmentId>& of, std::vector<SegmentId>& to) {
       std::ranges::copy_if(of, std::back_inserter(to),
                            [&](SegmentId id) { return !std::ranges::binary_search(ids, id.value); });

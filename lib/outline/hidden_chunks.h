@@ -19,17 +19,17 @@ class HiddenChunks {
   bool were(std::uint32_t chunk) const { return has(chunk, kBefore); }
 
   /// The update under way finds a chunk that was loaded or unloaded since the one before.
-  void turn(std::uint32_t chunk) {
+  void stream(std::uint32_t chunk) {
     toggle(chunk);
     bits_[chunk] ^= kBefore;
-    turned_.push_back(chunk);
+    streamed_.push_back(chunk);
   }
   /// Those that it found.
-  const std::vector<std::uint32_t>& turned() const { return turned_; }
+  const std::vector<std::uint32_t>& streamed() const { return streamed_; }
   /// From now on were() says what are() says.
   void endUpdate() {
-    for (const std::uint32_t chunk : turned_) bits_[chunk] ^= kBefore;
-    turned_.clear();
+    for (const std::uint32_t chunk : streamed_) bits_[chunk] ^= kBefore;
+    streamed_.clear();
   }
   /// Without an update.
   void toggle(std::uint32_t chunk) {
@@ -44,7 +44,7 @@ class HiddenChunks {
     giveBackSpare(bits_);
   }
 
-  std::uint64_t bytes() const { return heldBytes(bits_, turned_); }
+  std::uint64_t bytes() const { return heldBytes(bits_, streamed_); }
 
  private:
   static constexpr std::uint8_t kNow = 1, kBefore = 2;
@@ -52,7 +52,7 @@ class HiddenChunks {
 
   std::vector<std::uint8_t> bits_;  ///< by number of a chunk
   std::size_t count_ = 0;           ///< of those that are hidden now
-  std::vector<std::uint32_t> turned_;
+  std::vector<std::uint32_t> streamed_;
 };
 
 }  // namespace lgs::detail

@@ -104,10 +104,10 @@ class Outline {
   State state() const { return {segments.length(), version_}; }
   /// A note of the outline and the outline exchange what they hold.
   void exchange(const Grid& grid, Journal& journal, Note& note);
-  /// Goes to another moment by go(), which exchanges the notes up to there; then update() may be called by turn(), which
+  /// Goes to another moment by go(), which exchanges the notes up to there; then update() may be called by stream(), which
   /// says whether it was. Says what all of that does to the segments. `ids` has those that are noted.
   void goTo(const Grid& grid, const State& state, std::vector<std::uint32_t> ids, Changes& changes,
-            const std::function<void()>& go, const std::function<bool()>& turn);
+            const std::function<void()>& go, const std::function<bool()>& stream);
 
   // --- Saving
 
@@ -119,7 +119,7 @@ class Outline {
   std::uint64_t bytes() const;
 
  private:
-  void dropTurned(const Ground& ground);
+  void dropStreamed(const Ground& ground);
   void clear(const Chunk& chunk);
   void filter();
   void finish();

@@ -33,14 +33,14 @@ namespace lgs::detail {
 /// What a note is of. The key is a reference of a cell, the number of a chunk, the id of a segment, or a place in the
 /// list of free ids.
 enum class Thing : std::uint8_t {
-  cell,     ///< the word of a cell, and its block
-  chunk,    ///< that there is this chunk; the note has its place
-  turn,     ///< that the outline of a chunk was renewed, since it or one beside it came or went
-  segment,  ///< the record of a segment; none if it was not alive
-  list,     ///< the list of segments that a cell shows; none if it showed nothing
-  freeId,   ///< an entry in the list of free ids
-  hidden,   ///< whether the segments of a chunk are hidden
-  commit,   ///< that a commit found something
+  cell,      ///< the word of a cell, and its block
+  chunk,     ///< that there is this chunk; the note has its place
+  streamed,  ///< that the outline of a chunk was renewed, since it or one beside it came or went
+  segment,   ///< the record of a segment; none if it was not alive
+  list,      ///< the list of segments that a cell shows; none if it showed nothing
+  freeId,    ///< an entry in the list of free ids
+  hidden,    ///< whether the segments of a chunk are hidden
+  commit,    ///< that a commit found something
 };
 
 struct Note {

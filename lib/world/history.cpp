@@ -152,7 +152,7 @@ void History::travel(const Marked& to, bool isFromWent, std::vector<std::uint32_
     go(to.moment);
     ground_.setChangedCells(to.changed);
   };
-  outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, goThere, [&] { return turnAtOnce(to); });
+  outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, goThere, [&] { return streamAtOnce(to); });
 }
 
 /// Followers never saw the edits that are pending, here or there: so they are told what is different between the last
@@ -184,7 +184,7 @@ void History::returnToWent() {
 }
 
 /// Chunks that came or went since the mark are shown and hidden, unless edits are pending there. Whether it is done.
-bool History::turnAtOnce(const Marked& to) {
+bool History::streamAtOnce(const Marked& to) {
   if (!to.changed.empty()) return false;
   renewOutline({});
   const bool isDone = !ground_.changedChunks().empty();

@@ -3,9 +3,9 @@
 // that the world went back beyond are kept, too, and it can go forward to them until something is edited.
 //
 // Which chunks are in memory is no part of that. Once the world has gone back or forward, the outline is that of then,
-// with the chunks that were loaded then. Those that came or went since turn, as they do in a commit: at once, unless
-// edits are pending there, which the next commit shows with them. Commits since the world went back are undone before
-// it goes forward.
+// with the chunks that were loaded then. Those streamed since are renewed, as in a commit: at once, unless edits are
+// pending there, which the next commit shows with them. Commits since the world went back are undone before it goes
+// forward.
 //
 // A commit that finds nothing to do is none: it ends no group.
 #pragma once
@@ -98,7 +98,7 @@ class History {
 
   std::vector<Marked>::const_iterator find(Mark mark) const;
   void renewOutline(const Executor& executor) {
-    ground_.turnChunks();
+    ground_.streamChunks();
     outline_.update(ground_, hasMarks() ? &ground_.journal : nullptr, executor);
   }
   void noteCommit();
@@ -113,7 +113,7 @@ class History {
   template <class Go>
   void tell(const Marked& to, Go&& go);
   void returnToWent();
-  bool turnAtOnce(const Marked& to);
+  bool streamAtOnce(const Marked& to);
   void undo(Moment moment, Undone undone);
   void exchange(Note& note);
   void forgetUndone();

@@ -1,6 +1,7 @@
 // The usual cell comes out as it does by an arrangement.
 #include "plain.h"
 #include "cells.h"
+#include "proptests/brush/same_edit.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/law.h"
 
@@ -9,19 +10,7 @@
 namespace lgs::test::plain {
 namespace {
 
-using brush::CellEdit;
 using brush::CellPolygon;
-
-void expectSame(const CellEdit& plain, const CellEdit& arranged) {
-  EXPECT_EQ(plain.gone, arranged.gone);
-  EXPECT_EQ(plain.rounded, arranged.rounded);
-  ASSERT_EQ(plain.placed.size(), arranged.placed.size());
-  for (std::size_t k = 0; k < plain.placed.size(); ++k) {
-    EXPECT_EQ(plain.placed[k].ring, arranged.placed[k].ring);
-    EXPECT_EQ(plain.placed[k].block, arranged.placed[k].block);
-    EXPECT_EQ(plain.placed[k].from, arranged.placed[k].from);
-  }
-}
 
 /// How many edits of empty cells and of full ones were plain, of those that change something.
 struct Plain {

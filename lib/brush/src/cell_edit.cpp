@@ -1,6 +1,7 @@
 #include "cell_edit.h"
 
 #include "calm.h"
+#include "clip.h"
 #include "geometry/ring.h"
 #include "ownership.h"
 #include "plain.h"
@@ -52,7 +53,26 @@ std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rul
   }
 }
 
+/// By an arrangement. A ground without known points and sides gets them.
+CellEdit arranged(Ground& ground, const List<bool>& meeting, PieceSpan region, const Stroke& stroke) {
+  CellEdit edit;
+  const auto atoms = addKnown(ground, region) ? atomsOf(ground, region, stroke.rule) : std::nullopt;
+  edit.isTooMuch = !atoms;
+  if (!atoms) return edit;
+  edit = divided(ground, *atoms, stroke);
+  for (const std::size_t k : edit.gone)
+    if (!meeting[k]) edit.rounded.push_back(k);
+  return edit;
+}
+
 }  // namespace
+
+List<bool> meetingOf(const List<CellPolygon>& polygons, PieceSpan region, FillRule rule) {
+  List<bool> meeting;
+  meeting.reserve(polygons.size());
+  for (const CellPolygon& p : polygons) meeting.push_back(meets(region, rule, p.ring));
+  return meeting;
+}
 
 CellEdit editOf(std::span<const PlacedPolygon> polygons, PieceSpan region, const Stroke& stroke) {
   if (auto edit = plainEdit(polygons, region, stroke)) return std::move(*edit);
@@ -63,22 +83,16 @@ CellEdit editOf(std::span<const PlacedPolygon> polygons, PieceSpan region, const
     old.back().ring.reserve(p.vertices.size());
     for (const LocalPoint v : p.vertices) old.back().ring.push_back({v.x, v.y});
   }
-  return arrangedEdit(old, region, stroke);
+  const List<bool> meeting = meetingOf(old, region, stroke.rule);
+  Ground ground = groundOf(old, meeting);
+  if (auto edit = clippedEdit(ground, region, stroke)) return std::move(*edit);
+  return arranged(ground, meeting, region, stroke);
 }
 
 CellEdit arrangedEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {
-  List<bool> meeting;
-  meeting.reserve(polygons.size());
-  for (const CellPolygon& p : polygons) meeting.push_back(meets(region, stroke.rule, p.ring));
-  CellEdit edit;
-  auto ground = groundOf(polygons, meeting, region);
-  const auto atoms = ground ? atomsOf(*ground, region, stroke.rule) : std::nullopt;
-  edit.isTooMuch = !atoms;
-  if (!atoms) return edit;
-  edit = divided(*ground, *atoms, stroke);
-  for (const std::size_t k : edit.gone)
-    if (!meeting[k]) edit.rounded.push_back(k);
-  return edit;
+  const List<bool> meeting = meetingOf(polygons, region, stroke.rule);
+  Ground ground = groundOf(polygons, meeting);
+  return arranged(ground, meeting, region, stroke);
 }
 
 }  // namespace lgs::brush

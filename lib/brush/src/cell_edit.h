@@ -63,6 +63,9 @@ struct CellEdit {
 /// Whether the region, with its outline, has a point in common with a polygon.
 bool meets(PieceSpan region, FillRule rule, const Points& ring);
 
+/// Which polygons the region meets.
+List<bool> meetingOf(const List<CellPolygon>& polygons, PieceSpan region, FillRule rule);
+
 /// What a stroke does in a cell.
 CellEdit editOf(std::span<const PlacedPolygon> polygons, PieceSpan region, const Stroke& stroke);
 

@@ -1,6 +1,6 @@
 #include "ground.h"
 
-#include "geometry/ring.h"
+#include "geometry/relation.h"
 #include "geometry/sort.h"
 #include "outline.h"
 
@@ -12,12 +12,6 @@ namespace lgs::brush {
 namespace {
 
 using detail::nextVertex;
-
-/// A ring of an area's outline, with the area on its left.
-struct Outline {
-  std::size_t area;
-  Points ring;
-};
 
 void addVertices(const List<Outline>& outlines, Points& points) {
   std::size_t count = points.size();
@@ -95,18 +89,19 @@ List<HalfEdge> outlineOf(std::size_t group, const List<std::size_t>& groups, con
 
 }  // namespace
 
-std::optional<Ground> groundOf(const List<CellPolygon>& polygons, const List<bool>& meeting, PieceSpan region) {
+Ground groundOf(const List<CellPolygon>& polygons, const List<bool>& meeting) {
   List<Outline> outlines;
-  List<Side> sides;
-  if (polygons.size() > 1) {
-    for (std::size_t k = 0; k < polygons.size(); ++k) outlines.push_back({k, polygons[k].ring});
+  List<Side> sides;  // of what may hang together
+  if (std::ranges::count(meeting, true) > 1) {
+    for (std::size_t k = 0; k < polygons.size(); ++k)
+      if (meeting[k]) outlines.push_back({k, polygons[k].ring});
     Points vertices;
     addVertices(outlines, vertices);
     normalize(vertices);
     sides = sidesOf(outlines, vertices);
     outlines.clear();
   }
-  Ground ground{polygons, groupsOf(polygons, meeting, sides), {}, {}};
+  Ground ground{polygons, groupsOf(polygons, meeting, sides), {}, {}, {}};
   for (std::size_t k = 0; k < polygons.size(); ++k) {
     const std::size_t group = ground.groups[k];
     if (group == kNoGroup) {
@@ -117,11 +112,23 @@ std::optional<Ground> groundOf(const List<CellPolygon>& polygons, const List<boo
       for (Points& ring : ringsOf(outlineOf(k, ground.groups, sides))) outlines.push_back({k, std::move(ring)});
     }
   }
-  auto known = knownPoints(outlines, region);
-  if (!known) return std::nullopt;
-  ground.known = std::move(*known);
-  ground.sides = sidesOf(outlines, ground.known);
+  ground.outlines = std::move(outlines);
   return ground;
+}
+
+bool addKnown(Ground& ground, PieceSpan region) {
+  auto known = knownPoints(ground.outlines, region);
+  if (!known) return false;
+  ground.known = std::move(*known);
+  ground.sides = sidesOf(ground.outlines, ground.known);
+  return true;
+}
+
+List<std::size_t> partsIn(const Points& ring, const List<std::size_t>& some, const Ground& ground) {
+  List<std::size_t> parts;
+  for (const std::size_t k : some)
+    if (detail::relation(ground.polygons[k].ring, ring, Points{}) != detail::Relation::apart) parts.push_back(k);
+  return parts;
 }
 
 List<HalfEdge> oldOutline(const Ground& ground, std::size_t group) {

@@ -1,6 +1,6 @@
 #include "ownership.h"
 
-#include "geometry/relation.h"
+#include "geometry/ring.h"
 #include "geometry/sort.h"
 #include "outline.h"
 
@@ -70,7 +70,7 @@ class Division {
       edit.isTooMuch = outline.size() > kMaxVerticesPerCell && cornersOf(outline) > kMaxVerticesPerCell;
       if (edit.isTooMuch) return edit;  // chords make it no less
       for (Points& ring : simplePolygons(std::move(outline))) {
-        List<std::size_t> from = isOne ? old : partsIn(ring, old);
+        List<std::size_t> from = isOne ? old : partsIn(ring, old, ground_);
         edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }
     }
@@ -135,14 +135,6 @@ class Division {
       for (Owner& all : unionOf_)
         if (all == a || all == b) all = std::min(a, b);
     }
-  }
-
-  /// Those of some old polygons that have a part in a ring. Atoms can not tell: they know groups alone.
-  List<std::size_t> partsIn(const Points& ring, const List<std::size_t>& old) const {
-    List<std::size_t> parts;
-    for (const std::size_t k : old)
-      if (detail::relation(ground_.polygons[k].ring, ring, Points{}) != detail::Relation::apart) parts.push_back(k);
-    return parts;
   }
 
   const Ground& ground_;

@@ -13,6 +13,7 @@
 namespace lgs::brush {
 namespace {
 
+using detail::nextVertex;
 using detail::Vector;
 using detail::operator-;  // NOLINT(misc-unused-using-decls): p.b - p.a uses it
 
@@ -128,6 +129,22 @@ Pieces piecesOf(std::span<const Point> ring) {
     if (a != b) pieces.push_back({a, b, a, b, true});
   }
   return pieces;
+}
+
+bool isConvexRing(PieceSpan pieces) {
+  if (pieces.size() < 3 || pieces.size() > kMostConvexPieces) return false;
+  const auto isUp = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); };
+  int upwards = 0;  // how often it begins to: once if it runs around once
+  Vector in = pieces.back().end - pieces.back().start;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].end != nextVertex(pieces, k).start) return false;
+    const Vector out = pieces[k].end - pieces[k].start;
+    const std::int64_t turn = cross(in, out);
+    if (turn < 0 || (turn == 0 && dot(in, out) < 0)) return false;
+    upwards += !isUp(in) && isUp(out) ? 1 : 0;
+    in = out;
+  }
+  return upwards == 1;
 }
 
 Halves halves(PieceSpan ring, Line line) {

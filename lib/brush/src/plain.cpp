@@ -3,6 +3,7 @@
 #include "geometry/ring.h"
 #include "geometry/sort.h"
 #include "outline.h"
+#include "rim.h"
 #include "snap.h"
 
 #include <algorithm>
@@ -13,47 +14,13 @@ namespace lgs::brush {
 namespace {
 
 using detail::nextVertex;
-using detail::Vector;
-using detail::operator-;
 
 constexpr std::int64_t kEnd = kUnitsPerCell;
-constexpr std::size_t kMostPieces = 16;
-
-bool isCorner(Point p) { return (p.x == 0 || p.x == kEnd) && (p.y == 0 || p.y == kEnd); }
-
-bool isOnRim(Point p) { return p.x == 0 || p.y == 0 || p.x == kEnd || p.y == kEnd; }
-
 /// How far a point of the rim is from the lower left corner, counter-clockwise.
 std::int64_t alongRim(Point p) {
   if (p.y == 0) return p.x;
   if (p.x == kEnd) return kEnd + p.y;
   return p.y == kEnd ? 3 * kEnd - p.x : 4 * kEnd - p.y;
-}
-
-bool runsAlongRim(Point u, Point v) {
-  return (u.x == v.x && (u.x == 0 || u.x == kEnd)) || (u.y == v.y && (u.y == 0 || u.y == kEnd));
-}
-
-/// Whether the pieces are one ring, each beginning where the one before it ends.
-bool isOneRing(PieceSpan pieces) {
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-    if (pieces[k].end != nextVertex(pieces, k).start) return false;
-  return true;
-}
-
-/// Whether a ring turns left all the time, once around. Vertices may be in the middle of straight lines.
-bool isConvex(const Points& ring) {
-  const auto isUp = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); };
-  int upwards = 0;  // how often it begins to
-  Vector in = ring.front() - ring.back();
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vector out = nextVertex(ring, k) - ring[k];
-    const std::int64_t turn = cross(in, out);
-    if (turn < 0 || (turn == 0 && dot(in, out) < 0)) return false;
-    upwards += !isUp(in) && isUp(out) ? 1 : 0;
-    in = out;
-  }
-  return upwards == 1;
 }
 
 /// Whether an edge of the region goes through the pixel of a known point beside its ends. One that is cut at a corner
@@ -77,7 +44,7 @@ bool bends(PieceSpan region, const Points& ring) {
 std::optional<List<Points>> fullWithout(const Points& ring) {
   List<Points> parts;
   for (std::size_t first = 0; first < ring.size(); ++first) {
-    if (!isOnRim(ring[first]) || runsAlongRim(ring[first], nextVertex(ring, first))) continue;
+    if (!liesOnRim(ring[first]) || runsAlongRim(ring[first], nextVertex(ring, first))) continue;
     Points part;
     part.reserve(ring.size() + kCorners.size());
     part.push_back(ring[first]);
@@ -85,7 +52,7 @@ std::optional<List<Points>> fullWithout(const Points& ring) {
     do {
       k = k + 1 == ring.size() ? 0 : k + 1;
       part.push_back(ring[k]);
-    } while (!isOnRim(part.back()));
+    } while (!liesOnRim(part.back()));
     if (part.back() == part.front()) return std::nullopt;
     const std::int64_t from = alongRim(part.front());
     const auto ahead = [from](Point p) { return (alongRim(p) - from + 4 * kEnd) % (4 * kEnd); };
@@ -112,11 +79,11 @@ std::optional<CellEdit> plainEdit(std::span<const PlacedPolygon> polygons, Piece
   const bool keepsAll =
       isEmpty ? stroke.deed == Deed::carve : stroke.deed == Deed::fill || stroke.stays(polygons[0].block);
   if (keepsAll) return CellEdit{};
-  if (region.size() < 3 || region.size() > kMostPieces || !isOneRing(region)) return std::nullopt;
+  if (!isConvexRing(region)) return std::nullopt;
   Points ring;
-  ring.reserve(kMostPieces);
+  ring.reserve(kMostConvexPieces);
   for (const Piece& p : region) ring.push_back(p.start);
-  if (!isConvex(ring) || bends(region, ring)) return std::nullopt;
+  if (bends(region, ring)) return std::nullopt;
 
   CellEdit edit;
   if (!isEmpty) {
