@@ -80,7 +80,7 @@ TEST(BrushMarks, TakeAtMostTwiceWhatTheEditsNeed) {
   for (const double radius : {0.6, 1.5}) {
     for (const bool commitsEachCircle : {false, true}) {
       Digging world(radius, commitsEachCircle);
-      for (int k = 0; k < 120; ++k) world.stroke();
+      for (int k = 0; k < 400; ++k) world.stroke();
       EXPECT_LE(world.bytesOfMarks(), 2 * world.edited) << "radius " << radius;
       std::printf("radius %.1f, a commit for each %s: marks take %.2f MB, the edits need %.2f MB\n", radius,
                   commitsEachCircle ? "circle" : "stroke", static_cast<double>(world.bytesOfMarks()) / 1e6,
