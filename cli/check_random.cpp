@@ -5,6 +5,7 @@
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/check/survey.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -63,11 +64,11 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   }
   const std::uint64_t before = totals.stats.edits;
   std::uint64_t lost = 0;  // edits that were not made, because the engine gave no answer to some before them
-  const auto left = [&]() -> std::uint64_t {
+  const auto left = [&]() -> std::uint64_t {  // to the end of a case, however little time is left
     constexpr auto kMany = std::numeric_limits<std::uint64_t>::max();
-    if (arguments.seconds) return totals.seconds() < *arguments.seconds ? kMany : 0;
-    return arguments.edits - std::min(arguments.edits, totals.stats.edits - before + lost);
+    return arguments.seconds ? kMany : arguments.edits - std::min(arguments.edits, totals.stats.edits - before + lost);
   };
+  const auto isOver = [&] { return arguments.seconds ? totals.seconds() >= *arguments.seconds : left() == 0; };
   for (at.number = arguments.onlyCase.value_or(0);; ++at.number) {
     at.edits = arguments.world.edits;
     if (!arguments.onlyCase) at.edits = std::min<std::size_t>(editsOf(at.number, arguments.world), left());
@@ -79,7 +80,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     options.afterCommit = [&](const Model& standing) {
       constexpr std::size_t kSample = 8;  // looking for features after each commit would take as long as the check
       if (commits++ % kSample == 0) note(standing.scene(checked.trace.preserve), features);
-      if (!arguments.svg.empty()) last = standing.scene(checked.trace.preserve);
+      if (!arguments.svg.empty() && !arguments.world.can.regions) last = standing.scene(checked.trace.preserve);
       stillAlive();
       return true;
     };
@@ -94,10 +95,11 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
       reportMismatch(**mismatch, checked.trace, options, reportOptions(arguments, checked));
       return Status::mismatch;
     }
+    if (!arguments.svg.empty() && arguments.world.can.regions) last = sceneOf(checked.trace);
     features[static_cast<std::size_t>(Feature::refusal)] = totals.stats.refused != refused;
     totals.cases.add(features);
     show(progress, arguments, totals, survey && survey->hasFound());
-    if (arguments.onlyCase || left() == 0) break;
+    if (arguments.onlyCase || isOver()) break;
   }
   progress.wipe();
   return survey ? survey->finish(totals) : finish(arguments, totals, last);

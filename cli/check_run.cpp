@@ -91,9 +91,10 @@ Status finish(const CheckArguments& arguments, const Totals& totals, const Scene
   }
   player.commit();
   DrawOptions options;
-  options.title = arguments.map.empty()
-                      ? fmt::format("lgs check, seed {}", arguments.seed)
-                      : fmt::format("{}, dug and refilled by {}", arguments.map, counted(arguments.edits, "edit"));
+  options.title = !arguments.map.empty()
+                      ? fmt::format("{}, dug and refilled by {}", arguments.map, counted(arguments.edits, "edit"))
+                  : !arguments.suites.empty() ? "lgs check, the last case of the suites"
+                                              : fmt::format("lgs check, seed {}", arguments.seed);
   const Status written = write(arguments.svg, drawWorld(last, outlineOf(player.world()), options));
   if (written == Status::fine && arguments.svg != "-") fmt::print("picture    {}\n", arguments.svg);
   return written;

@@ -5,8 +5,10 @@
 #include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
 #include "oracle/suites/strokes.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 namespace lgs::cli {
 
@@ -24,6 +26,7 @@ struct Suites {
   Suite read;
   std::vector<Playable> cases;
   std::size_t rounded = 0, evenOdd = 0;
+  std::vector<std::size_t> ends;  // for each file or folder that was named, where the cases of the next one begin
 };
 
 tl::expected<Suites, std::string> readSuites(const CheckArguments& arguments) {
@@ -34,6 +37,7 @@ tl::expected<Suites, std::string> readSuites(const CheckArguments& arguments) {
     suites.read.files += read->files;
     for (SuiteCase& of : read->cases) suites.read.cases.push_back(std::move(of));
     for (const auto& [what, times] : read->leftOut) suites.read.leftOut[what] += times;
+    suites.ends.push_back(suites.read.cases.size());
   }
   for (std::size_t k = 0; k < suites.read.cases.size(); ++k) {
     if (arguments.onlyCase && *arguments.onlyCase != k) continue;
@@ -58,6 +62,18 @@ void tell(const Suites& suites) {
              counted(suites.cases.size(), "case"), suites.rounded, suites.evenOdd);
   for (const auto& [what, times] : suites.read.leftOut) fmt::print("left out   {} times: {}\n", times, what);
   std::fflush(stdout);
+}
+
+// The first that was named and has no case that can be played: a job that names it means to play it.
+const std::string* unplayed(const CheckArguments& arguments, const Suites& suites) {
+  auto at = suites.cases.begin();
+  for (std::size_t k = 0; k < suites.ends.size(); ++k) {
+    const auto end =
+        std::find_if(at, suites.cases.end(), [&](const Playable& p) { return p.number >= suites.ends[k]; });
+    if (at == end) return &arguments.suites[k];
+    at = end;
+  }
+  return nullptr;
 }
 
 Checked checkedOf(const CheckArguments& arguments, const Playable& playable) {
@@ -95,7 +111,7 @@ Status play(const CheckArguments& arguments, const Suites& suites, std::size_t& 
     if (progress.isDue()) progress.show(fmt::format("{} of {}", at + 1, counted(suites.cases.size(), "case")));
   }
   progress.wipe();
-  return survey ? survey->finish(totals) : finish(arguments, totals, {});
+  return survey ? survey->finish(totals) : finish(arguments, totals, sceneOf(suites.cases.back().trace));
 }
 
 }  // namespace
@@ -113,6 +129,8 @@ Status checkSuites(const CheckArguments& arguments) {
   if (!suites) return complain(suites.error());
   tell(*suites);
   if (suites->cases.empty()) return complain("lgs check: no case of the suites can be played");
+  const std::string* const none = arguments.onlyCase ? nullptr : unplayed(arguments, *suites);
+  if (none != nullptr) return complain(fmt::format("lgs check: no case of {} can be played", *none));
   const Shared<std::size_t> at;
   return isolated(
       arguments, caseOptions(arguments), [&] { return play(arguments, *suites, *at); },

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -121,9 +122,10 @@ Status SurveyRun::begin(CheckOptions& options, CheckStats& stats) {
 Status SurveyRun::playFirst(CheckStats& stats) {
   if (const Status bad = readKnown(); bad != Status::fine) return bad;
   const auto& [known, replay] = std::tie(arguments_.survey.known, arguments_.survey.replay);
-  constexpr std::uint64_t kFew = 3, kToTellApart = 10;
-  survey_.emplace(options_, SurveyOptions{arguments_.survey.report, again(arguments_), shrinkTime(arguments_),
-                                          known.empty() ? kFew : kToTellApart, known_});
+  constexpr std::uint64_t kFew = 3, kToTellApart = 10, kAll = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t shrunk = known.empty() ? kFew : arguments_.survey.fix ? kAll : kToTellApart;
+  survey_.emplace(options_,
+                  SurveyOptions{arguments_.survey.report, again(arguments_), shrinkTime(arguments_), shrunk, known_});
   for (const KnownMismatch& one : known_) {
     const auto found = play(one.trace, known, stats);
     if (!found) return found.error();
@@ -183,6 +185,7 @@ void SurveyRun::print() const {
     };
     fmt::print("{}, {}; of the smallest traces {} are a fault, {} known, {} advice\n", kind,
                counted(entry.count, "time"), of(State::fault), of(State::known), of(State::advice));
+    if (entry.onlyCounted() != 0) fmt::print("  {} of them were only counted, not shrunk\n", entry.onlyCounted());
     const auto fault = std::ranges::find(entry.findings, State::fault, &Survey::Finding::state);
     if (fault != entry.findings.end()) fmt::print("\n{}\n{}\n", printTrace(fault->trace), fault->text);
   }

@@ -156,7 +156,8 @@ class Strokes {
     const Edges edges = edgesWhere(ofAnyBlock);
     const auto found = [&](const ExactPoint& from, const ExactPoint& to) -> std::optional<FarOff> {
       if (isNear({from, to}, edges, units)) return std::nullopt;
-      return FarOff{"no boundary: " + oracle::inWords(nearest(from), nearest(to)) + within(units), outline()};
+      const std::string segment = "segment " + oracle::inWords(nearest(from), nearest(to));
+      return FarOff{"no boundary: " + segment + " has the same on both sides" + within(units), outline()};
     };
     std::map<std::tuple<Block, Point, Point>, int> runs;
     for (const OutlineSegment& s : after)

@@ -5,7 +5,6 @@
 #include "oracle/page/page.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/model.h"
 #include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
@@ -128,9 +127,7 @@ std::string pageWithoutEngine(const Trace& trace, const std::string& title) {
 }
 
 std::string drawWithoutEngine(const Trace& trace, const std::string& title) {
-  Model model;
-  for (const Call& call : inPlainEdits(trace).calls) model.play(call);
-  const Scene scene = model.scene(trace.preserve);
+  const Scene scene = sceneOf(trace);
   DrawOptions options;
   options.title = title;
   return drawWorld(scene, naiveOutline(scene), options);

@@ -2,10 +2,13 @@
 
 #include "oracle/check/comparable.h"
 #include "oracle/check/failure.h"
+#include "oracle/engine/answer.h"
 #include "oracle/reference/compare.h"
+#include "oracle/reference/words.h"
 #include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -22,9 +25,7 @@ Scene Seen::scene() const {
   if (library != nullptr || !engine.can().regions) return model().scene(trace.preserve);
   Trace played{trace.preserve, {}};
   for (const BrushEdit& stroke : strokes) played.calls.push_back(Call::byBrush(stroke));
-  Model made;
-  for (const Call& call : inPlainEdits(played).calls) made.play(call);
-  return made.scene(trace.preserve);
+  return sceneOf(played);
 }
 
 Mismatch Seen::mismatch(Mismatch::Kind kind, std::string text, Outline marked) const {
@@ -40,6 +41,21 @@ Mismatch Seen::mismatch(Mismatch::Kind kind, std::string text, Outline marked) c
           {edited.begin(), edited.end()},
           std::move(marked),
           engine.can()};
+}
+
+std::string Seen::told() const {
+  const Delta* const delta = engine.delta();
+  if (delta == nullptr) return "";
+  constexpr std::size_t kMost = 10;
+  const SegmentChanges& changes = delta->changes();
+  std::string text = "in this commit the engine told of " +
+                     (changes.empty() ? std::string("nothing\n") : counted(changes.size(), "change") + ":\n");
+  for (std::size_t k = 0; k < std::min(kMost, changes.size()); ++k) {
+    const auto& [sign, id, segment] = changes[k];
+    text += fmt::format("  {} {}", sign, shortened(id));
+    text += sign == '-' ? "\n" : fmt::format(": {}\n", inWords(segment.start, segment.end));
+  }
+  return changes.size() > kMost ? text + fmt::format("  ... and {} more\n", changes.size() - kMost) : text;
 }
 
 Mismatch Seen::noAnswer(const Failure& failure) {
@@ -59,7 +75,7 @@ Found Seen::differing(Mismatch::Kind kind, const Scene& scene, const Outline& ex
   found.actual = comparable(actual, can);
   found.can = can;
   if (found.expected == found.actual) return std::nullopt;
-  found.text = describe(compare(found.expected, found.actual));
+  found.text = describe(compare(found.expected, found.actual)) + told();
   found.scene = scene;
   return found;
 }

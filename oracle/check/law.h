@@ -64,6 +64,9 @@ class Seen {
 
   Mismatch mismatch(Mismatch::Kind kind, std::string text, Outline marked = {}) const;
 
+  /// What an engine of lists of changes has told of the last commit, as lines; empty of others.
+  std::string told() const;
+
   /// Of an engine that gave no answer: its outline is an old one. The picture shows what it should have answered.
   Mismatch noAnswer(const Failure& failure);
 

@@ -1,5 +1,7 @@
 #include "oracle/check/refusal.h"
 
+#include "oracle/engine/answer.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -13,11 +15,11 @@ std::string wrongRefusals(const std::vector<RefusedEdit>& expected, const std::v
            std::ranges::count(other, edit.name, &RefusedEdit::name);
   };
   if (at.in2 != actual.end() && isMoreIn(actual, expected, *at.in2))
-    return fmt::format("refused, but is good: '{}': {}", at.in2->name, at.in2->reason);
+    return fmt::format("refused, but is good: '{}': {}", shortened(at.in2->name), shortened(at.in2->reason));
   if (at.in1 != expected.end() && isMoreIn(expected, actual, *at.in1))
     return fmt::format("accepted, but must be refused as {}: '{}'", at.in1->reason, at.in1->name);
   if (at.in2 == actual.end()) return "";
-  return fmt::format("the refusal of '{}' is not told in the order of the edits", at.in2->name);
+  return fmt::format("the refusal of '{}' is not told in the order of the edits", shortened(at.in2->name));
 }
 
 }  // namespace lgs::oracle

@@ -26,7 +26,8 @@ std::string asJson(const Results& results) {
                           {"edits", editCount(one.trace)},
                           {"trace", printTrace(one.trace)},
                           {"text", readable(one.text)}});
-    kinds.push_back({{"kind", kind}, {"count", entry.count}, {"findings", findings}});
+    kinds.push_back(
+        {{"kind", kind}, {"count", entry.count}, {"only counted", entry.onlyCounted()}, {"findings", findings}});
   }
   for (const auto& [kind, trace] : results.gone) gone.push_back({{"kind", kind}, {"trace", printTrace(trace)}});
   const Json all{{"engine", readable(results.engine)},

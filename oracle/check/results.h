@@ -18,8 +18,8 @@ struct Results {
   bool areFine() const { return survey.faults().empty() && gone.empty(); }
 };
 
-/// {"engine", "fine", "edits", "commits", "seconds", "kinds": [{"kind", "count", "findings": [{"state": "fault", "known"
-/// or "advice", "edits", "trace", "text"}]}], "gone": [{"kind", "trace"}]}
+/// {"engine", "fine", "edits", "commits", "seconds", "kinds": [{"kind", "count", "only counted", "findings": [{"state":
+/// "fault", "known" or "advice", "edits", "trace", "text"}]}], "gone": [{"kind", "trace"}]}
 std::string asJson(const Results& results);
 
 /// A suite of JUnit: a case for each finding, which has failed if it is a fault, and else is skipped; one for each known

@@ -51,10 +51,11 @@ void Survey::add(const Mismatch& found, const Trace& trace, const CheckStats& st
   const std::string kind = kindOfFinding(found, *options_.engine);
   Entry& entry = kinds_[kind];
   ++entry.count;
-  std::uint64_t& looked = isAdvice(found, options_.recommended) ? entry.advice : entry.faults;
-  if (looked < (isHang ? std::min(kHangs, how_.shrunk) : how_.shrunk)) {
-    ++looked;
-    shrink(kind, entry, found, trace);
+  std::uint64_t& few = isAdvice(found, options_.recommended) ? entry.advice : entry.faults;
+  if (few < (isHang ? std::min(kHangs, how_.shrunk) : how_.shrunk)) {
+    ++entry.looked;
+    const State state = shrink(kind, entry, found, trace);
+    few += state == State::known && !isHang ? 0 : 1;  // however many are known, a new one does not hide behind them
   }
   if (isHang && entry.count >= kHangs) options_.engine->hurry(true);
   write(stats);
@@ -69,12 +70,13 @@ void Survey::add(const Failure& failure) {
   const std::string kind = kKinds[static_cast<std::size_t>(failure.kind)];
   Entry& entry = kinds_[kind];
   ++entry.count;
+  ++entry.looked;
   if (std::ranges::any_of(entry.findings, [](const Finding& one) { return one.trace.calls.empty(); })) return;
   entry.findings.emplace_back().text = inWords(failure);
   if (entry.findings.size() == 1) keep(kind, {}, {drawWithoutEngine({}, kind), pageWithoutEngine({}, kind)});
 }
 
-void Survey::shrink(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace) {
+Survey::State Survey::shrink(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace) {
   Engine& engine = *options_.engine;
   CheckOptions looking = options_;  // other recommendations must not come before this one
   const bool isOne = isAdvice(found, options_.recommended);
@@ -89,10 +91,11 @@ void Survey::shrink(const std::string& kind, Entry& entry, const Mismatch& found
   const Mismatch& shown = again ? *again : found;
   const std::string identity = identityOf({kind, small});
   const State state = isOne ? State::advice : known_.contains(identity) ? State::known : State::fault;
-  if (!met_.insert(identity + (isOne ? " advice" : "")).second) return;
+  if (!met_.insert(identity + (isOne ? " advice" : "")).second) return state;
   entry.findings.push_back({small, describe(shown, small), state});
   std::ranges::stable_sort(entry.findings, {}, [](const Finding& one) { return sizeOf(one.trace); });
   if (entry.findings.front().trace == small) keep(kind, small, {draw(shown), page(shown, small)});
+  return state;
 }
 
 void Survey::keep(const std::string& kind, const Trace& trace, const Views& views) const {

@@ -17,7 +17,7 @@ struct SurveyOptions {
   std::string folder;                     ///< for traces, pictures, pages and the report itself
   std::string again;                      ///< the command that does all of it again
   std::chrono::milliseconds shrinkFor{};  ///< each
-  std::uint64_t shrunk = 3;               ///< so many of a kind are; later ones are only counted
+  std::uint64_t shrunk = 3;               ///< so many of a kind that are not known are; later ones are only counted
   std::vector<KnownMismatch> known = {};  ///< what is known is no fault
 };
 
@@ -35,8 +35,11 @@ class Survey {
   };
   struct Entry {
     std::uint64_t count = 0;
-    std::uint64_t faults = 0, advice = 0;  ///< of these, for how many the smallest trace was looked for
+    std::uint64_t looked = 0;              ///< for so many of these the smallest trace was looked for
+    std::uint64_t faults = 0, advice = 0;  ///< how many of those count for SurveyOptions::shrunk
     std::vector<Finding> findings;         ///< no two are alike; the smallest comes first
+
+    std::uint64_t onlyCounted() const { return count - looked; }
   };
 
   /// Takes a mismatch that checkTrace() has found, or has advised of. The first ones of a kind are shrunk. After some
@@ -60,7 +63,7 @@ class Survey {
   bool write(const CheckStats& stats) const;
 
  private:
-  void shrink(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace);
+  State shrink(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace);
   void keep(const std::string& kind, const Trace& trace, const Views& views) const;
   std::string facts(const CheckStats& stats) const;
 

@@ -17,7 +17,7 @@ std::string describe(Mismatch::Kind kind) {
                               "the outline differs from CGAL's",
                               "the loops are wrong",
                               "a brush changed what it does not reach",
-                              "a brush is too far from the exact result",
+                              "a region is too far from the exact result",
                               "the outline depends on the order of the edits",
                               "what was undone has left a trace",
                               "what went has left something",

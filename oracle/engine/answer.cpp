@@ -46,6 +46,17 @@ constexpr const char* kSegment = "a segment needs four points of two integers, g
 
 }  // namespace
 
+std::string shortened(std::string_view words) {
+  constexpr std::size_t kShown = 80;
+  std::size_t shown = std::min(words.size(), kShown);
+  const auto isInside = [&](std::size_t k) { return (static_cast<unsigned char>(words[k]) & 0xc0U) == 0x80; };
+  while (shown > 0 && shown < words.size() && isInside(shown)) --shown;  // no half of a character
+  std::string text(words.substr(0, shown));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return words.size() > kShown ? text + "…" : text;
+}
+
 tl::expected<Hello, std::string> parseHello(std::string_view line) {
   constexpr std::string_view kWord = "lgs-engine ";
   if (!line.starts_with(kWord))
@@ -53,7 +64,7 @@ tl::expected<Hello, std::string> parseHello(std::string_view line) {
   line.remove_prefix(kWord.size());
   if (nextWord(line) != "1") return tl::unexpected<std::string>("there is only version 1 of the protocol");
   Hello hello;
-  hello.name = nextWord(line);
+  hello.name = shortened(nextWord(line));
   if (hello.name.empty()) return tl::unexpected<std::string>("a name must follow 'lgs-engine 1'");
   auto can = parseCapabilities(line);
   if (!can) return tl::unexpected(can.error());
@@ -68,6 +79,7 @@ tl::expected<bool, std::string> AnswerReader::takeSegment(std::string_view line,
   const bool hasBlock = can_.blocks ? readInteger(line, s.block) : isWord;
   if (!isRead || !hasBlock) return tl::unexpected<std::string>(kSegment);
   if (std::string fault = faultOf(s, can_); !fault.empty()) return tl::unexpected(std::move(fault));
+  keepDeclared(s, can_);
   return false;
 }
 
@@ -123,6 +135,11 @@ std::string faultOf(const OutlineSegment& segment, const Capabilities& can) {
   const bool isFar = !isInTheWorld(segment.start) || !isInTheWorld(segment.end) || isFarGhost(segment.ghost1) ||
                      isFarGhost(segment.ghost2);
   return isFar ? "beyond the end of the world, which is 2^30 cells away" : "";
+}
+
+void keepDeclared(OutlineSegment& segment, const Capabilities& can) {
+  if (!can.ghosts) segment.ghost1 = segment.ghost2 = std::nullopt;
+  if (!can.blocks) segment.block = 0;
 }
 
 }  // namespace lgs::oracle

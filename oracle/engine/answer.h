@@ -13,6 +13,9 @@
 
 namespace lgs::oracle {
 
+/// Words of an engine, fit to be printed: not many, and none that speak to a terminal.
+std::string shortened(std::string_view words);
+
 /// The first answer: "lgs-engine 1 NAME [CAPABILITY …]".
 struct Hello {
   std::string name;
@@ -46,5 +49,8 @@ class AnswerReader {
 
 /// What is wrong with a segment of such an engine by itself, whatever the world; empty if nothing is.
 std::string faultOf(const OutlineSegment& segment, const Capabilities& can);
+
+/// Leaves of a segment what such an engine declares: the rest means nothing, whatever it puts out.
+void keepDeclared(OutlineSegment& segment, const Capabilities& can);
 
 }  // namespace lgs::oracle

@@ -1,5 +1,6 @@
 #include "oracle/engine/capabilities.h"
 
+#include "oracle/engine/answer.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/line.h"
 
@@ -45,22 +46,23 @@ std::string take(std::string_view word, Capabilities& can) {
     can.lattice = numberAfter(word, "lattice=");
     const bool isGood =
         can.lattice > 0 && can.lattice <= kUnitsPerCell && std::has_single_bit(static_cast<std::uint32_t>(can.lattice));
-    return isGood ? "" : fmt::format("'{}': N must be a power of two, {} at most", word, kUnitsPerCell);
+    return isGood ? "" : fmt::format("'{}': N must be a power of two, {} at most", shortened(word), kUnitsPerCell);
   }
   if (word.starts_with("cells=")) {
     can.cells = numberAfter(word, "cells=");
-    return can.cells >= 0 && can.cells <= kMaxCell ? "" : fmt::format("'{}': N must be 0 to {}", word, kMaxCell);
+    return can.cells >= 0 && can.cells <= kMaxCell ? ""
+                                                   : fmt::format("'{}': N must be 0 to {}", shortened(word), kMaxCell);
   }
   if (word.starts_with("round=")) {
     can.round = numberAfter(word, "round=");
     return can.round > 0 && can.round <= kUnitsPerCell
                ? ""
-               : fmt::format("'{}': N must be 1 to {} lattice units", word, kUnitsPerCell);
+               : fmt::format("'{}': N must be 1 to {} lattice units", shortened(word), kUnitsPerCell);
   }
   return fmt::format(
       "'{}' is no capability; there are ghosts, blocks, several, slants, squares, preserve, refuses, "
       "merged, islands, delta, time, regions, lattice=N, cells=N and round=N",
-      word);
+      shortened(word));
 }
 
 // Words that do not go together.

@@ -1,5 +1,6 @@
 #include "oracle/engine/child.h"
 
+#include "oracle/engine/answer.h"
 #include "oracle/engine/ending.h"
 
 #include <fcntl.h>
@@ -35,17 +36,6 @@ void closeEnd(int& end) {
 }
 
 Failure protocol(std::string text) { return {Failure::Kind::protocol, std::move(text)}; }
-
-std::string shortened(std::string_view line) {
-  constexpr std::size_t kShown = 80;
-  std::size_t shown = std::min(line.size(), kShown);
-  const auto isInside = [&](std::size_t k) { return (static_cast<unsigned char>(line[k]) & 0xc0U) == 0x80; };
-  while (shown > 0 && shown < line.size() && isInside(shown)) --shown;  // no half of a character
-  std::string text(line.substr(0, shown));
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return line.size() > kShown ? text + "…" : text;
-}
 
 }  // namespace
 
@@ -127,6 +117,8 @@ std::optional<Failure> Child::takeLines(const Take& take, bool& isComplete) {
       if (verbose_) fmt::print(stderr, "{}\n", line);
       continue;
     }
+    if (line.ends_with('\r'))
+      return protocol(fmt::format("answered '{}': lines end with a line feed alone", shortened(line)));
     const auto complete = take(line);
     if (!complete) return protocol(fmt::format("answered '{}': {}", shortened(line), complete.error()));
     isComplete = *complete;

@@ -1,5 +1,7 @@
 #include "oracle/engine/delta.h"
 
+#include "oracle/engine/answer.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <iterator>
@@ -22,7 +24,7 @@ void Delta::take(SegmentChanges changes) {
       const char* const why = !isFirst  ? "a line before this one has the same id"
                               : isThere ? "this id is taken"
                                         : "there is no such id";
-      if (wrongId_.empty()) wrongId_ = fmt::format("'{} {}': {}", sign, id, why);
+      if (wrongId_.empty()) wrongId_ = fmt::format("'{} {}': {}", sign, shortened(id), why);
       continue;
     }
     if (sign == '~' && old->second == segment) unchanged_.push_back(segment);

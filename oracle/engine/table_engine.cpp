@@ -32,6 +32,7 @@ void Answer::take(const lgs_engine_segment& s, OutlineSegment& to) {
   if ((s.missing & 1U) == 0) to.ghost1 = pointOf(s.ghost1);
   if ((s.missing & 2U) == 0) to.ghost2 = pointOf(s.ghost2);
   if (fault.empty()) fault = faultOf(to, can);
+  keepDeclared(to, can);
 }
 
 void takeSegments(void* to, const lgs_engine_segment* segments, std::size_t count) {

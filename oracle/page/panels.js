@@ -26,8 +26,8 @@ const kindInWords = {
 
 const wordsOf = (pair) => {
   const segment = anyOf(pair);
-  const where = `${endsInWords(segment)}, ${segment.place}, block ${segment.block}, ${ownerOf(segment)}`;
-  return `${where}; ${kindInWords[kindOf(pair)]}`;
+  const block = segment.block ? `block ${segment.block}, ` : "";
+  return `${endsInWords(segment)}, ${segment.place}, ${block}${ownerOf(segment)}; ${kindInWords[kindOf(pair)]}`;
 };
 
 const rows = {

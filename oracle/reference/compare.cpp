@@ -136,8 +136,8 @@ std::vector<Difference> compare(const OwnedOutline& expected, const OwnedOutline
 
 std::string describe(const Difference& difference) {
   const OutlineSegment& s = difference.segment();
-  const std::string segment =
-      fmt::format("{}, {}, block {}", inWords(s.start, s.end), placeInWords(s.start, s.end), s.block);
+  const std::string segment = fmt::format("{}, {}{}", inWords(s.start, s.end), placeInWords(s.start, s.end),
+                                          s.block == 0 ? "" : fmt::format(", block {}", s.block));
   std::string text;
   switch (difference.kind) {
     case Kind::missing:

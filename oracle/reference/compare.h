@@ -35,7 +35,7 @@ std::vector<Difference> compare(const Outline& expected, const Outline& actual);
 /// The same, and differences in owners as well.
 std::vector<Difference> compare(const OwnedOutline& expected, const OwnedOutline& actual);
 
-/// One difference as a line without an end of line.
+/// One difference as a line without an end of line. Block 0, which engines without blocks put out, is not named.
 std::string describe(const Difference& difference);
 
 /// One line each; after the first `most`, "... and N more". Every line ends with an end of line.

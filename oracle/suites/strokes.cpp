@@ -12,6 +12,7 @@
 namespace lgs::oracle {
 namespace {
 
+constexpr const char* kNoArea = "case without area";
 constexpr std::size_t kMostVertices = 4'000, kMostCrossings = 20'000;
 
 // How coordinates become lattice points.
@@ -138,7 +139,7 @@ Rings both(Rings a, const Rings& b) {
 
 tl::expected<Strokes, std::string> strokesOf(const SuiteCase& of) {
   const Lattice lattice(of);
-  if (!lattice.hasArea()) return tl::unexpected<std::string>("case without area");
+  if (!lattice.hasArea()) return tl::unexpected<std::string>(kNoArea);
   if (lattice.vertices > kMostVertices) return tl::unexpected<std::string>("case of more than 4,000 vertices");
   std::vector<std::vector<RuledRings>> operands;
   for (const Operand& operand : of.operands) operands.push_back(onLattice(operand, lattice));
@@ -165,13 +166,18 @@ tl::expected<Strokes, std::string> strokesOf(const SuiteCase& of) {
     strokes.isEvenOdd = strokes.isEvenOdd || !parts || parts->size() > 1;
     return joined(operand);
   };
+  const auto whole = [&]() -> tl::expected<Strokes, std::string> {
+    const auto isStroke = [](const Call& call) { return call.kind == Call::Kind::brush; };
+    if (std::ranges::none_of(strokes.trace.calls, isStroke)) return tl::unexpected<std::string>(kNoArea);
+    return std::move(strokes);
+  };
   using enum BrushEdit::Deed;
   if (of.operation == Operation::exclude) {
     Rings all;
     for (const auto& operand : operands) all = both(std::move(all), inOne(operand));
     make(fill, std::move(all));
     commit();
-    return strokes;
+    return whole();
   }
   const bool isOne = of.operation == Operation::intersect;
   Rings first;
@@ -184,7 +190,7 @@ tl::expected<Strokes, std::string> strokesOf(const SuiteCase& of) {
     }
     commit();
   }
-  return strokes;
+  return whole();
 }
 
 }  // namespace lgs::oracle

@@ -290,6 +290,22 @@ TEST_F(CheckSurvey, ShrinksNoFaultToAnother) {
   expectSaid(get("report/report.md"), "| wrong link | 1 | [1 edit]");
 }
 
+TEST_F(CheckSurvey, LooksForWhatIsNewBehindAnyNumberOfKnownOnes) {
+  std::size_t from = 4;
+  Wrong engine([&](Outline& o) { o[0].block = o.size() < from ? o[0].block : 9; }, 1);
+  Survey first = survey(&engine);
+  add(first, engine, fourSquares());
+  Survey all({.engine = &engine}, {path("report"), "", 60s, 1, first.faults()});
+  for (int k = 0; k < 3; ++k) add(all, engine, fourSquares());
+  EXPECT_TRUE(all.faults().empty());
+  from = 8;
+  for (const std::uint64_t onlyCounted : {0, 1}) {
+    add(all, engine, fourSquares());
+    EXPECT_EQ(all.faults().size(), 1U);
+    EXPECT_EQ(all.kinds().at("wrong block").onlyCounted(), onlyCounted);
+  }
+}
+
 TEST_F(CheckSurvey, HasFailuresWithoutATrace) {
   Survey all = survey(nullptr);
   EXPECT_TRUE(all.isEmpty());

@@ -14,7 +14,7 @@ TEST(CheckWords, EachKindHasItsOwn) {
   using enum Mismatch::Kind;
   EXPECT_EQ(describe(verdict), "a call was not answered as it must be");
   EXPECT_EQ(describe(reach), "a brush changed what it does not reach");
-  EXPECT_EQ(describe(rounding), "a brush is too far from the exact result");
+  EXPECT_EQ(describe(rounding), "a region is too far from the exact result");
   EXPECT_EQ(describe(history), "the outline depends on the order of the edits");
   EXPECT_EQ(describe(protocol), "the engine does not keep to the protocol");
 }

@@ -99,7 +99,7 @@ TEST(Compare, RecognisesOverlapsAndCuts) {
             "cancelled\n");
   const Outline cut = together({chain({{0, 0}, {1. / 3, 0}, {1, 0}, {1, 1}, {0, 1}})});
   EXPECT_EQ(describe(compare(cut, outline), 1),
-            "missing segment: (0, 0) → (0+21845/65536, 0), the bottom of cell (0, 0), block 0: not cut at "
+            "missing segment: (0, 0) → (0+21845/65536, 0), the bottom of cell (0, 0): not cut at "
             "(0+21845/65536, 0)\n... and 4 more\n");
   EXPECT_NE(differences(outline, cut).find("it should go on to (1, 0)"), std::string::npos);
 }
@@ -126,10 +126,9 @@ TEST(Compare, Owners) {
   OwnedOutline actual = expected;
   EXPECT_TRUE(compare(expected, actual).empty());
   actual.owner[1] = 6;
-  EXPECT_EQ(
-      describe(compare(expected, actual)),
-      "wrong owner: segment (0, -1) → (0, 0), the right side of cell (-1, -1), block 0: expected polygon 4 of the "
-      "scene, got 6\n");
+  EXPECT_EQ(describe(compare(expected, actual)),
+            "wrong owner: segment (0, -1) → (0, 0), the right side of cell (-1, -1): expected polygon 4 of the "
+            "scene, got 6\n");
 }
 
 }  // namespace

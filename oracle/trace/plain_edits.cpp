@@ -1,5 +1,6 @@
 #include "oracle/trace/plain_edits.h"
 
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <lgs/brush.h>
@@ -124,6 +125,12 @@ Trace inPlainEdits(const Trace& trace) {
     if (call.kind == Call::Kind::commit || call.kind == Call::Kind::load) plain.calls.push_back(Call::commit());
   }
   return plain;
+}
+
+Scene sceneOf(const Trace& trace) {
+  Model model;
+  for (const Call& call : inPlainEdits(trace).calls) model.play(call);
+  return model.scene(trace.preserve);
 }
 
 }  // namespace lgs::oracle

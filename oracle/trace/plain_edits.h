@@ -1,6 +1,7 @@
 // What calls do, as removes and adds: for whoever knows no others.
 #pragma once
 
+#include "oracle/reference/scene.h"
 #include "oracle/trace/trace.h"
 
 #include <utility>
@@ -24,5 +25,8 @@ std::vector<std::vector<Call>> editsBy(const Trace& trace);
 /// The same world by adds, removes and commits alone. What has no name there gets one that is not in the trace. What is
 /// refused is left out, unless all are plain: then they stay as they are.
 Trace inPlainEdits(const Trace& trace);
+
+/// What stands when all of it was played by this library's engine.
+Scene sceneOf(const Trace& trace);
 
 }  // namespace lgs::oracle

@@ -148,6 +148,23 @@ class Command:
 
 
 @dataclass(frozen=True)
+class Suites:
+    """Suites of others, as `lgs check` plays them."""
+    paths: tuple[str, ...]
+
+    kind, limit = "tests", 600
+    targets = Command.targets
+
+    def search(self, shop: Workshop, program: Callable[[str], Path]) -> dict:
+        out = shop.folder / "check"
+        ran = run([program("lgs"), "check", "--suite", *self.paths, "--out", out, "--shrink", 0], self.limit,
+                  memory="unlimited")
+        case = re.search(r"^case +(.*)$", ran.output, re.MULTILINE)
+        return {"verdict": "passes" if ran.status == 0 else "time-out" if ran.timed_out else "found",
+                "by": Path(case[1]).name if case else "the suites", "seconds": ran.seconds}
+
+
+@dataclass(frozen=True)
 class Replay:
     """Traces of proptests/regressions whose names begin so, as CTest replays them."""
     begin: str

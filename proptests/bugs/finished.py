@@ -1,6 +1,6 @@
 """A finished build as a workshop: bugs can be planted in it, and it stays as it is. The objects of the libraries that
 see the changed file are compiled anew from a copy of the sources, and linked into a program before all others, so that
-those are not taken. A bug costs an object and a link."""
+those are not taken; a program's own objects are replaced. A bug costs an object and a link."""
 
 import contextlib
 import json
@@ -13,7 +13,7 @@ from pathlib import Path
 from bugs import ROOT, Wrong
 from workshop import FOLDER, make
 
-ROOMS = ("lib", "oracle")  # of whose files objects are made anew
+ROOMS = ("lib", "oracle", "bench", "cli")  # of whose files objects are made anew
 
 
 class Finished:
@@ -70,8 +70,13 @@ class Finished:
             link = self.ninja("commands", target).splitlines()[-1]
             before, _, rest = link.partition(" -o ")
             made = self.folder / "made" / Path(rest.split()[0]).name
-            objects_made = " ".join(str(self.made(name)) for name in objects)
-            seconds += self.shell(f"{before} {objects_made} -o {made} {rest.partition(' ')[2]}")
+            for name in objects:
+                own, new = f" {name}", f" {self.made(name)}"
+                if own in before:
+                    before = before.replace(own, new)
+                elif name.startswith("lib/") or f"lib{re.search('([^/]*)[.]dir/', name)[1]}.a" in rest:
+                    before += new
+            seconds += self.shell(f"{before} -o {made} {rest.partition(' ')[2]}")
         return seconds
 
     def made(self, name: str) -> Path:

@@ -28,7 +28,7 @@ import bugs
 import mutants
 import trying
 from bugs import Bug, Wrong
-from finished import Finished
+from finished import ROOMS, Finished
 from mutants import Mutant
 from results import Results, changed_since
 from workshop import Workshop, alone
@@ -73,6 +73,8 @@ def parser() -> argparse.ArgumentParser:
                        help=f"mutants of {', '.join(mutants.COMPONENTS)}; without it of {', '.join(mutants.HEART)}")
     how = result.add_argument_group("what looks for them")
     how.add_argument("--score", action="store_true", help="the command lgs check, for bugs of what it can see")
+    how.add_argument("--suite", metavar="FILE", nargs="+",
+                     help="the command with these suites of others, for bugs of brushes")
     how.add_argument("--edits", metavar="N", type=positive(int), default=25_000,
                      help="of the command, for each of three seeds (default: 25000, some 60 s in all)")
     how.add_argument("--fuzz", metavar="TARGET", nargs="?", const="own",
@@ -102,11 +104,14 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         return [dataclasses.replace(bug, group=bulk)]
     if arguments.score:
         chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN)]
+    if arguments.suite:
+        chosen = [bug for bug in chosen if bug.file.startswith("lib/brush/")]
     if arguments.built:
         built = Finished(arguments.built)
         programs = {name for name in {bug.group.program for bug in chosen} - {"lgs_cost_tests"} if built.has(name)}
-        chosen = [bug for bug in chosen if bug.file.startswith("lib/") and "/include/" not in bug.file
-                  and (arguments.score or bug.group.program in programs)]  # what many objects see takes too long
+        any_program = arguments.score or arguments.suite
+        chosen = [bug for bug in chosen if bug.file.split("/")[0] in ROOMS and "/include/" not in bug.file
+                  and (any_program or bug.group.program in programs)]  # what many objects see takes too long
     if arguments.fuzz == "own":
         chosen = [bug for bug in chosen if bug.fuzz]
     if arguments.changed:

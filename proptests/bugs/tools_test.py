@@ -183,7 +183,7 @@ class Attempts(unittest.TestCase):
     def attempt(self, replace: str, *words: str, each: bool = False, score: bool = False) -> dict:
         bug = bugs.Bug("law", bugs.Group("", "", ("x",), each), "a.cpp", "bug", None, (("good", replace),))
         with tempfile.TemporaryDirectory() as folder:
-            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(score=score, built=None), None)
+            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(score=score, built=None, suite=None), None)
             bench.finders = lambda _: [Looks((word,)) for word in words]
             outcome = bench.attempt(bug)
             self.assertEqual((Path(folder) / "a.cpp").read_text(), "good code")
@@ -218,8 +218,8 @@ rule link
   command = c++ $in -o $out lib/liba.a
 build lib/a.o: compile {0}/lib/a.cpp
 build lib/liba.a: archive lib/a.o
-build main.o: compile {0}/main.cpp
-build program: link main.o | lib/liba.a
+build cli/main.o: compile {0}/cli/main.cpp
+build program: link cli/main.o | lib/liba.a
 """
 
 
@@ -230,15 +230,16 @@ class FinishedBuild(unittest.TestCase):
             root = Path(name).resolve()
             for module in ("finished.ROOT", "finished.FOLDER"):
                 patched.enter_context(unittest.mock.patch(module, root / ("." if module.endswith("ROOT") else "bugs")))
-            for file, text in (("lib/b.h", "inline int g() { return 1; }"), ("oracle/none.h", ""),
+            for file, text in (("lib/b.h", "inline int g() { return 1; }"), ("oracle/none.h", ""), ("bench/none.h", ""),
                                ("lib/a.cpp", '#include "b.h"\nint f() { return g(); }'),
-                               ("main.cpp", "int f();\nint main() { return f(); }"),
+                               ("cli/main.cpp", "int f();\nint main() { return f(); }"),
                                ("build/build.ninja", BUILD.format(root))):
                 (root / file).parent.mkdir(parents=True, exist_ok=True)
                 (root / file).write_text(text)
             workshop.make(["ninja", "-C", root / "build", "program"])
             shop = finished.Finished(root / "build")
-            for file, text in (("lib/a.cpp", "int f() { return 2; }"), ("lib/b.h", "inline int g() { return 2; }")):
+            for file, text in (("lib/a.cpp", "int f() { return 2; }"), ("lib/b.h", "inline int g() { return 2; }"),
+                               ("cli/main.cpp", "int main() { return 2; }")):
                 with shop.changed(file, text):
                     shop.build("", "program")
                     self.assertEqual(workshop.run([shop.program("", "program")], 5).status, 2)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import finders
 from bugs import Bug, Wrong
-from finders import Command, Fuzz, Package, Replay, Tests
+from finders import Command, Fuzz, Package, Replay, Suites, Tests
 from mutants import COMPONENTS, Mutant
 from results import Results
 from workshop import DoesNotBuild, Workshop
@@ -21,6 +21,8 @@ QUICK = 0.05  # seconds: tests that take less look for a mutant before the other
 def method(arguments: argparse.Namespace) -> str:
     if arguments.score:
         return f"lgs check, {arguments.edits} edits"
+    if arguments.suite:
+        return f"suites {' '.join(Path(path).name for path in arguments.suite)}"
     return f"fuzz {arguments.fuzz}" if arguments.fuzz else "tests"
 
 
@@ -61,6 +63,8 @@ class Bench:
         a = self.arguments
         if a.score:
             return [Command(a.edits)]
+        if a.suite:
+            return [Suites(tuple(a.suite))]
         if a.fuzz:
             return [Fuzz(bug.fuzz if a.fuzz == "own" else a.fuzz, a.executions)]
         if isinstance(bug, Mutant):

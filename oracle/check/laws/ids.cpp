@@ -9,7 +9,7 @@ class IdsLaw : public Law {
   Found afterCommit(Seen& seen) override {
     const Delta* const delta = seen.engine.delta();
     if (delta == nullptr || delta->wrongId().empty()) return std::nullopt;
-    return seen.mismatch(Mismatch::Kind::changes, delta->wrongId());
+    return seen.mismatch(Mismatch::Kind::changes, delta->wrongId() + "\n" + seen.told());
   }
 };
 

@@ -44,9 +44,10 @@ class MinimalityLaw : public Law {
     if (needless.empty()) needless = std::move(remade);
     if (needless.empty()) return std::nullopt;
     const OutlineSegment& s = needless.front();
-    return seen.mismatch(Mismatch::Kind::needless,
-                         fmt::format("{}{}, {}\n", what, inWords(s.start, s.end), placeInWords(s.start, s.end)),
-                         std::move(needless));
+    return seen.mismatch(
+        Mismatch::Kind::needless,
+        fmt::format("{}{}, {}\n", what, inWords(s.start, s.end), placeInWords(s.start, s.end)) + seen.told(),
+        std::move(needless));
   }
 };
 

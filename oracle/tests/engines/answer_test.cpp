@@ -56,6 +56,24 @@ TEST(Answers, ChangesAreReadIfTheyArePromised) {
   EXPECT_FALSE(AnswerReader(can).take("time 1.5"));
 }
 
+// What it does not declare means nothing, so it is no change that it should have told, and none that it should not have.
+TEST(Answers, WhatIsNotDeclaredIsForgotten) {
+  Capabilities can;
+  can.delta = true;
+  AnswerReader reader(can);
+  ASSERT_TRUE(reader.take("+ a segment 1 2 3 4 5 6 7 8 9"));
+  EXPECT_EQ(reader.changes[0].segment, (OutlineSegment{{1, 2}, {3, 4}, 0, {}, {}}));
+}
+
+TEST(Answers, AreShortenedToBePrinted) {
+  EXPECT_EQ(shortened("a\x1b[31m\nb\x7f"), "a?[31m?b?");
+  EXPECT_EQ(shortened(std::string(80, 'x')), std::string(80, 'x'));
+  EXPECT_EQ(shortened(std::string(1'000'000, 'x')), std::string(80, 'x') + "…");
+  EXPECT_EQ(shortened(std::string(79, 'x') + "…"), std::string(79, 'x') + "…") << "no half of a character";
+  EXPECT_EQ(parseHello("lgs-engine 1 " + std::string(1'000, 'x'))->name, shortened(std::string(1'000, 'x')));
+  EXPECT_LE(parseHello("lgs-engine 1 x " + std::string(1'000, 'y')).error().size(), 400U);
+}
+
 TEST(Answers, WrongLinesAreTold) {
   for (const std::string line :
        {"", " ", "End", "end ", "segment", "segment 0 0 1 1 - - - -", "segment 0 0 1 1 - - - - 1 ",

@@ -60,6 +60,7 @@ TEST_F(Ci, ABadEndIsAFault) {
   const Outcome outcome = check(naiveWith(both), "--edits 1 --known list --fix");
   EXPECT_EQ(outcome.status, 1) << outcome.text;
   EXPECT_NE(outcome.text.find("ended with status 4 at the end of its input"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(has("list", "known crash")) << "what is still there stays in the list";
 }
 
 TEST_F(Ci, WhatFailedIsKeptAndComesFirst) {
@@ -117,8 +118,8 @@ TEST_F(Ci, ARunTakesATime) {
   const Outcome outcome = check(good(), "--time 0.5");
   EXPECT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("no mismatch\nedits      "), std::string::npos) << outcome.text;
-  EXPECT_EQ(check(good(), "--time 0.5 --report r").status, 0);
-  EXPECT_TRUE(has("r/report.md", " --time 0.5 "));
+  EXPECT_EQ(check(good(), "--time 0.000001 --report r").status, 0);
+  EXPECT_TRUE(has("r/report.md", " --time 1e-06 ") && has("r/report.md", "\n100 edits, ")) << get("r/report.md");
 }
 
 TEST_F(Ci, BadOnesAreTold) {

@@ -35,6 +35,7 @@ TEST(Delta, SaysWhichIdIsWrong) {
   EXPECT_EQ(wrong({{'-', "a"}, {'+', "a", segment(7)}}), "'+ a" + twice);
   EXPECT_EQ(wrong({{'~', "a", segment(7)}, {'~', "a", segment(8)}}), "'~ a" + twice);
   EXPECT_EQ(wrong({{'-', "d"}, {'-', "c"}}), "'- d': there is no such id") << "the first";
+  EXPECT_LE(wrong({{'-', std::string(1'000'000, 'd')}}).size(), 200U);
 }
 
 TEST(Delta, KnowsWhatDidNotChange) {
@@ -57,11 +58,12 @@ namespace {
 
 class Incremental : public Workbench {
  protected:
-  void expectFound(const std::string& piece, const std::string& instead, const std::string& part,
-                   std::size_t most) const {
+  void expectFound(const std::string& piece, const std::string& instead, const std::string& part, std::size_t most,
+                   const std::string& told = "") const {
     const Outcome outcome = check(exampleWith("incremental.py", {{piece, instead}}), "--edits 2000 --shrink 60");
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     EXPECT_NE(outcome.text.find(part), std::string::npos) << part << "\n" << outcome.text;
+    EXPECT_NE(outcome.text.find(told), std::string::npos) << outcome.text;
     EXPECT_LE(editsOfMismatch(), most) << outcome.text;
   }
 };
@@ -75,12 +77,12 @@ TEST_F(Incremental, AGoodOneIsFine) {
 // The copy is compared: a change that is not told is an outline that differs.
 TEST_F(Incremental, ForgetsToTell) {
   expectFound("for x in range(-1, 3) for y in range(-1, 3)}", "for x in range(0, 2) for y in range(0, 2)}",
-              "wrong ghost", 2);
+              "wrong ghost", 2, "\nin this commit the engine told of ");
 }
 
 TEST_F(Incremental, UsesAnIdTwice) {
   expectFound("changes = list(update(cells, edited, told))", "changes = 2 * list(update(cells, edited, told))",
-              "': a line before this one has the same id", 1);
+              "': a line before this one has the same id", 1, "\nin this commit the engine told of 8 changes:\n  + ");
 }
 
 TEST_F(Incremental, RemovesWhatIsNotThere) {

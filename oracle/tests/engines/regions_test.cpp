@@ -197,6 +197,7 @@ TEST(Regions, StartFromTheOutlineBeforeOrFromNothing) {
                                      {{1, 2}, true},
                                      {{1, -1}, true},
                                      {{1, 3}, false},
+                                     {{0, 2}, false},
                                      {{2, 2}, false}}) {
     Drifting engine(off);
     EXPECT_EQ(!found(engine, twice), isRight) << off[0] << ", " << off[1];
