@@ -70,9 +70,10 @@ class Player {
   std::size_t shapes() const { return now_.shapes.size(); }  ///< the number of different ones that the world has made
 
   /// The calls that led here, without those that were undone or lead back, copy or save. In a new world they give what
-  /// they gave (law 12), also without those that were refused (law 7).
+  /// they gave (law 12), also without those that were refused (law 7). Chunks that one call brought back come back in
+  /// the other order: ids do not depend on it.
   const Past& past() const { return now_.past; }
-  bool hasLeft() const { return hasLeft_; }          ///< whether any were left out or refused, so far
+  bool hasLeft() const { return hasLeft_; }          ///< whether any were left out, refused or turned around
   bool isOfOnePast() const { return isOfOnePast_; }  ///< false where chunks came or went that no calls could
 
  private:
