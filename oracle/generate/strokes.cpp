@@ -58,7 +58,7 @@ class Painter {
     return crossingRings(habits_.tight ? *habits_.tight : tightAt(place(), random_), random_);
   }
 
-  /// Full cells are carved and filled again, or get another block: that leaves no seam (law 10).
+  /// Full cells are carved and filled again, or get another block, some as a whole: that leaves no seam (law 10).
   std::vector<Call> onSolidGround() {
     Call gone = Call::of(Call::Kind::clear), many = Call::of(Call::Kind::addMany);
     gone.cells = {{cell_.i - 1, cell_.j - 1}, {cell_.i + 1, cell_.j + 1}};
@@ -81,11 +81,12 @@ class Painter {
     const Point min = toWorld(gone.cells.min, {0, 0}), max = toWorld(gone.cells.max, {kEnd, kEnd});
     std::vector<Call> calls{std::move(gone), std::move(many)};
     for (int k = random_.between(1, 3); k > 0; --k) {
-      BrushEdit brush{.deed = BrushEdit::Deed::carve, .rings = rings()};
+      BrushEdit brush{.deed = BrushEdit::Deed::carve,
+                      .rings = random_.chance(30) ? wholeCells(place()).rings : rings()};
       for (Ring& ring : brush.rings)
         for (Point& p : ring) p = {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
       if (isOneBlock) calls.push_back(Call::byBrush(brush));
-      brush.deed = isOneBlock ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
+      brush.deed = isOneBlock || random_.chance(40) ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
       brush.block = isOneBlock ? block : any();
       calls.push_back(Call::byBrush(std::move(brush)));
     }
