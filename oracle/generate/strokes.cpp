@@ -1,8 +1,12 @@
 #include "oracle/generate/strokes.h"
 
+#include "oracle/reference/vector.h"
+
 #include <lgs/brush.h>
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace lgs::oracle {
@@ -16,6 +20,7 @@ class Painter {
 
   std::vector<Call> stroke() {
     if (!habits_.can.regions && random_.chance(8)) return onSolidGround();
+    if (!habits_.can.regions && random_.chance(8)) return beside();
     constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
     BrushEdit brush;
     brush.deed = kDeeds[random_.below(kDeeds.size())];
@@ -53,7 +58,7 @@ class Painter {
     return crossingRings(habits_.tight ? *habits_.tight : tightAt(place(), random_), random_);
   }
 
-  /// Full cells are carved and filled again, or get another block: that leaves no seam (law 10).
+  /// Full cells are carved and filled again, or get another block, some as a whole: that leaves no seam (law 10).
   std::vector<Call> onSolidGround() {
     Call gone = Call::of(Call::Kind::clear), many = Call::of(Call::Kind::addMany);
     gone.cells = {{cell_.i - 1, cell_.j - 1}, {cell_.i + 1, cell_.j + 1}};
@@ -76,15 +81,76 @@ class Painter {
     const Point min = toWorld(gone.cells.min, {0, 0}), max = toWorld(gone.cells.max, {kEnd, kEnd});
     std::vector<Call> calls{std::move(gone), std::move(many)};
     for (int k = random_.between(1, 3); k > 0; --k) {
-      BrushEdit brush{.deed = BrushEdit::Deed::carve, .rings = rings()};
+      BrushEdit brush{.deed = BrushEdit::Deed::carve,
+                      .rings = random_.chance(30) ? wholeCells(place()).rings : rings()};
       for (Ring& ring : brush.rings)
         for (Point& p : ring) p = {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
       if (isOneBlock) calls.push_back(Call::byBrush(brush));
-      brush.deed = isOneBlock ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
+      brush.deed = isOneBlock || random_.chance(40) ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
       brush.block = isOneBlock ? block : any();
       calls.push_back(Call::byBrush(std::move(brush)));
     }
     return calls;
+  }
+
+  /// Two edges of a region pass a small triangle by a unit or so, all along one of its edges, and cross there. What the
+  /// crossing is rounded to lies in the triangle, which the region does not meet: so that is bent (law 9).
+  std::vector<Call> beside() {
+    constexpr std::int32_t kMost = 40, kLast = kUnitsPerCell - kMost, kTries = 400;
+    const auto low = [&] { return random_.chance(70) ? random_.between(0, kLast) : kLast; };
+    const std::int32_t left = low(), floor = low();
+    const auto point = [&] {
+      const std::int32_t x = left + random_.between(0, kMost);
+      return LocalPoint{x, floor + random_.between(0, kMost)};
+    };
+    const auto isLeft = [](Point a, Point b, Point p) { return cross(b - a, p - a) > 0; };
+    const auto at = [&](LocalPoint v) { return toWorld(cell_, v); };
+    Call gone = Call::of(Call::Kind::clear), many = Call::of(Call::Kind::addMany);
+    gone.cells = {cell_, cell_};
+    const auto add = [&](LocalPoint a, LocalPoint b, LocalPoint c) {
+      if (isLeft(at(a), at(b), at(c))) many.comes.push_back({.cell = cell_, .shape = {{a, b, c}}, .block = any()});
+    };
+    LocalPoint u = point(), v = point(), w = point();
+    if (!isLeft(at(u), at(v), at(w))) std::swap(u, v);
+    add(u, v, w);
+    if (random_.chance(40)) add(w, v, point());
+    if (random_.chance(30)) add(v, u, point());
+    const Point a = at(u), b = at(v), c = at(w);
+    const Vector d = b - a;
+    const bool isFlat = std::abs(d.x) > std::abs(d.y);
+    const int step = (isFlat ? d.x < 0 : d.y > 0) ? 1 : -1;  // to the right of the edge
+    const auto beyond = [&](std::int64_t sixteenths) {
+      Point p{a.x + d.x * sixteenths / 16, a.y + d.y * sixteenths / 16};
+      while (isLeft(a, b, p) || (d != Vector{} && cross(d, p - a) == 0)) (isFlat ? p.y : p.x) += step;
+      return p;
+    };
+    const std::int64_t reach = random_.chance(70) ? 60 : 800;
+    std::array<Point, 4> ends{};
+    for (int k = 0; k < kTries; ++k) {
+      for (const std::size_t end : {0U, 1U, 2U, 3U})
+        ends[end] = beyond(end % 2 == 0 ? -between(1, reach) : 16 + between(1, reach));
+      const auto crossing = crossingOf(ends);
+      if (crossing && isLeft(a, b, *crossing) && isLeft(b, c, *crossing) && isLeft(c, a, *crossing)) break;
+    }
+    BrushEdit brush{.deed = random_.chance(70) ? BrushEdit::Deed::fill : BrushEdit::Deed::carve};
+    if (brush.deed == BrushEdit::Deed::fill) brush.block = any();
+    const std::int64_t far = between(1, 30) * (random_.chance(80) ? 1 : -1);
+    for (const std::size_t first : {0U, 2U})
+      brush.rings.push_back({ends[first], ends[first + 1], near({a.x + d.y * far, a.y - d.x * far}, kMost)});
+    return {std::move(gone), std::move(many), Call::byBrush(std::move(brush))};
+  }
+
+  /// The lattice point next to where two short edges cross.
+  static std::optional<Point> crossingOf(const std::array<Point, 4>& ends) {
+    const Vector r = ends[1] - ends[0], s = ends[3] - ends[2];
+    std::int64_t divisor = cross(r, s), part = cross(ends[2] - ends[0], s);
+    if (divisor < 0) divisor = -divisor, part = -part;
+    if (part < 0 || part > divisor || divisor == 0) return std::nullopt;
+    const auto rounded = [&](std::int64_t length) {
+      const std::int64_t doubled = 2 * length * part + divisor, whole = doubled / (2 * divisor);
+      return whole - (doubled < whole * 2 * divisor ? 1 : 0);
+    };
+    return Point{ends[0].x + rounded(r.x), ends[0].y + rounded(r.y)};
   }
 
   Point near(Point p, std::int64_t reach) { return {p.x + between(-reach, reach), p.y + between(-reach, reach)}; }

@@ -71,6 +71,12 @@ TEST(CheckReach, BlamesWhatIsNeitherReachedNorBent) {
   EXPECT_EQ(wrongReach(brush({box(5, 5, 8, 8)}), done), "");
   done.rounded = {"a"};
   EXPECT_EQ(wrongReach(brush({box(7, 7, 8, 8)}), done), "");
+  BrushEdit over = brush({box(5, 5, 8, 8)});
+  EXPECT_EQ(wrongReach(over, done), "'a' is said to be bent alone, but is reached");
+  EXPECT_EQ(wrongReach(brush({box(6, 3, 8, 5)}), done), "") << "no vertex of it is inside";
+  EXPECT_EQ(wrongReach(brush({box(5, 6, 7, 8)}), done), "") << "one is on the edge";
+  over.staying = {1};
+  EXPECT_EQ(wrongReach(over, done), "");
 }
 
 }  // namespace

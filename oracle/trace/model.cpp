@@ -85,7 +85,7 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
   // What changes nothing may count as an edit, or not.
   const bool mayBeNone = !isEdit(call.kind) || call.kind == Kind::shape || call.kind == Kind::setBlock ||
                          (call.comes.empty() && call.goes.empty()) || (call.kind == Kind::fill && isEmpty(call.cells));
-  if (!movesInTime(call.kind)) isPending(mayBeNone || call.kind == Kind::clear ? Pending::maybe : Pending::sure);
+  if (!movesInTime(call.kind)) isPending(mayBeNone ? Pending::maybe : Pending::sure);
   if (!movesInTime(call.kind) && !isOfMemory(call.kind)) timeline_.happened(mayBeNone ? Redo::maybe : Redo::no);
   switch (call.kind) {
     case Kind::setBlock:

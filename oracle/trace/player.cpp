@@ -151,6 +151,11 @@ Player::Done Player::makeCall(const Judged& judged) {
     if (!isCommit && isDone) now_.pending = true;
     told->call = call.kind == Kind::load ? Call() : call;
     if (call.kind == Kind::load) outcome.refusal.reset();
+    if (call.kind == Kind::reload && model_.chunks() == chunks && outcome.chunks.size() > 1) {
+      told->call.nth ^= 1U;  // once more, they come back in the other order
+      std::ranges::reverse(outcome.chunks);
+      hasLeft_ = true;
+    }
     if (call.kind != Kind::leave || isDone) now_.past.push_back(std::move(told));
   }
   if (!isDone) return refused(*refusal);

@@ -69,10 +69,10 @@ class Player {
   const Brushed& brushed() const { return brushed_; }        ///< by the last call; empty if that was none of a brush
   std::size_t shapes() const { return now_.shapes.size(); }  ///< the number of different ones that the world has made
 
-  /// The calls that led here, without those that were undone or lead back, copy or save. In a new world they give what
-  /// they gave (law 12), also without those that were refused (law 7).
+  /// The calls that led here, without those that were undone (law 12), refused (law 7), lead back, copy or save, and
+  /// with chunks that come back in the other order. In a new world they give what they gave, and the same ids.
   const Past& past() const { return now_.past; }
-  bool hasLeft() const { return hasLeft_; }          ///< whether any were left out or refused, so far
+  bool hasLeft() const { return hasLeft_; }          ///< whether any were left out, refused or turned around
   bool isOfOnePast() const { return isOfOnePast_; }  ///< false where chunks came or went that no calls could
 
  private:
