@@ -69,7 +69,7 @@ TEST_F(Suites, OfClipper) {
            "CAPTION: 1. union\r\nCLIPTYPE: UNION\r\nFILLRULE: NONZERO\r\nSOL_AREA: 28\r\nSUBJECTS\r\n"
            "0,0, 4,0, 4,4, 0,4\r\nCLIPS\r\n2,2 6,2 6,6 2,6\r\n\r\n"
            "CAPTION: 2.\nCLIPTYPE: INTERSECTION\nFILLRULE: EVENODD\nSUBJECTS\n0,0, 4,0, 4,4, 0,4\n"
-           "SUBJECTS_OPEN\n0,0, 9,9\nCLIPS\n2.0,2 , 6,2 , 6,6 , 2,6\n"
+           "SUBJECTS_OPEN\n0,0, 6,0, 6,6\nCLIPS\n2.0,2 , 6,2 , 6,6 , 2,6\n"
            "CAPTION: 3.\nCLIPTYPE: DIFFERENCE\nFILLRULE: POSITIVE\nSUBJECTS\n0,0, 4,0, 4,4, 0,4\nCLIPS\n"
            "2,2, 6,2, 6,6, 2,6\nCAPTION: 4.\nCLIPTYPE: XOR\nSUBJECTS\n0,0, 4,0, 4,4, 0,4\nCLIPS\n"
            "2,2, 6,2, 6,6, 2,6\nCAPTION: 5.\nCLIPTYPE: NONE\nSUBJECTS\n0,0, 4,0, 4,4\n");
@@ -83,6 +83,9 @@ TEST_F(Suites, OfIOverlay) {
   expectSquares(read("a.json", "{" + squares + R"(, "fillRule": 1, "union": [[]], "xor": [[]]})"), {28, 24});
   expectSquares(read("b.json", "{" + squares + R"(, "intersect": [], "inverseDifference": []})"), {4, 12});
   expectSquares(read("c.json", "{" + squares + "}"), kAllAreas);
+  expectSquares(read("rule.json", R"({"subjPaths": [[[0,0],[4,0],[4,4],[0,4]], [[2,2],[6,2],[6,6],[2,6]]],
+    "clipPaths": [[[0,0],[1,0],[1,1],[0,1]]], "fillRule": 1, "union": [[]]})"),
+                {28});
   EXPECT_EQ(read("d.json", "{" + squares + R"(, "subject": [], "clip": [], "union": []})").cases.size(), 3U);
 }
 
@@ -96,7 +99,10 @@ TEST_F(Suites, OfGeoJson) {
   };
   expectSquares(read("plain.geojson", collection("")), kAllAreas);
   const std::string answer = R"(,{"type": "Feature", "properties": {"operation": "diff_ba"}, "geometry": null})";
-  expectSquares(read("martinez.geojson", collection(answer)), {12});
+  const std::string low = R"(,{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+    [[[2,2],[6,2],[6,4],[2,4],[2,2]]]}})";
+  const std::string both = R"({"type": "FeatureCollection", "features": [)" + a + low + answer + "]}";
+  expectSquares(read("martinez.geojson", both), {4});
   // Of a folder: what lies beside args.geojson is answers.
   file("end-to-end/one/args.geojson", collection(""));
   file("end-to-end/one/xor.geojson", a);
