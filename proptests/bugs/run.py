@@ -103,7 +103,8 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         bulk = dataclasses.replace(bug.group, program="lgs_engine_tests", tests=("Bulk/",))
         return [dataclasses.replace(bug, group=bulk)]
     if arguments.score:
-        chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN)]
+        of_others = ("other-engines", "regions", "suites")  # what they need is no part of the one command
+        chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN) and bug.list not in of_others]
     if arguments.suite:
         chosen = [bug for bug in chosen if bug.file.startswith("lib/brush/")]
     if arguments.built:
