@@ -25,6 +25,8 @@ struct Blade {
   std::size_t chain;
 };
 
+static_assert(kMostConvexPieces < 32, "a Corner has a bit for each blade");
+
 /// A vertex of an outline, from which an edge runs to the next one.
 struct Corner {
   Point at, next;
