@@ -102,7 +102,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     if (arguments.onlyCase || isOver()) break;
   }
   progress.wipe();
-  return survey ? survey->finish(totals) : finish(arguments, totals, last);
+  return survey ? survey->finish(totals, last) : finish(arguments, totals, last);
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ void SurveyRun::print() const {
                printTrace(trace));
 }
 
-Status SurveyRun::finish(const Totals& totals) {
+Status SurveyRun::finish(const Totals& totals, const Scene& last) {
   if (const auto failure = options_.engine->finish()) {
     tell(*failure, stdout);
     survey_->add(*failure);
@@ -213,6 +213,7 @@ Status SurveyRun::finish(const Totals& totals) {
       "{}\nreport     {}/report.md, report.html\n",
       results.areFine() ? hasFound() ? "no mismatch that is not known" : "no mismatch" : "MISMATCHES of some kinds",
       arguments_.survey.report);
+  if (results.areFine()) status = worst(status, drawLast(arguments_, last));
   if (fixes) return worst(status, fix());
   return worst(status, results.areFine() ? Status::fine : Status::mismatch);
 }
