@@ -208,7 +208,7 @@ Status SurveyRun::finish(const Totals& totals, const Scene& last) {
   if (!junit.empty()) status = worst(status, write(junit, asJUnit(results)));
   if (!replay.empty()) status = worst(status, keepFaults());
   if (const std::size_t there = known_.size() - gone_.size(); there != 0)
-    fmt::print("{} of {} still there\n", there, counted(known_.size(), "known mismatch"));
+    fmt::print("known      {} of {} are still there\n", there, counted(known_.size(), "trace"));
   fmt::print(
       "{}\nreport     {}/report.md, report.html\n",
       results.areFine() ? hasFound() ? "no mismatch that is not known" : "no mismatch" : "MISMATCHES of some kinds",
