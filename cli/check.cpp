@@ -85,7 +85,8 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
                                     ->option_text("K");
   CLI::Option* const brushes = command.add_flag("--brushes", arguments->world.brushes,
                                                 "Paint and carve in all cases, not in a quarter of them: each\n"
-                                                "stroke is measured against CGAL's exact result");
+                                                "stroke is measured against CGAL's exact result. An engine of\n"
+                                                "cells gets the adds and removes of what this library's do");
   CLI::Option* const views = command.add_flag("--views", arguments->options.views,
                                               "Follow all cases, not a quarter of them, with views of loops,\n"
                                               "islands, pieces and hashes: these are compared with a full\n"
@@ -144,7 +145,8 @@ Status checkWith(CheckArguments arguments, Engine& engine) {
         "lgs check: of an engine of regions the naive reference compares ghosts alone, and this one declares none");
   arguments.options.engine = &engine;
   arguments.world.can = engine.can();
-  arguments.world.crowds = arguments.world.isOfCalls = false;
+  arguments.world.crowds = false;
+  arguments.world.isOfCalls = arguments.world.brushes && !engine.can().regions;  // and it gets what they do
   return check(arguments);
 }
 
@@ -218,8 +220,6 @@ void addCheck(CLI::App& app, Action& chosen) {
     if (arguments->survey.isGiven && arguments->survey.report.empty()) arguments->survey.report = arguments->out;
     if (arguments->options.views && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");
-    if (arguments->world.brushes && arguments->engine.isGiven())
-      throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     if (arguments->survey.isGiven && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
     chosen = [arguments] { return run(*arguments); };
   });

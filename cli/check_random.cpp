@@ -37,8 +37,10 @@ GeneratorOptions worldOf(const CheckArguments& arguments, const Case& at) {
 
 Checked caseOf(const CheckArguments& arguments, const Case& at) {
   const GeneratorOptions world = worldOf(arguments, at);
-  const bool areFollowed = arguments.options.views || (world.isOfCalls && at.number % 4 == 2);
-  return {caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
+  const bool isOfOthers = arguments.engine.isGiven();
+  const bool areFollowed = arguments.options.views || (world.isOfCalls && !isOfOthers && at.number % 4 == 2);
+  Trace trace = caseOf(at.number, world, caseSeed(arguments.seed, at.number));
+  return {isOfOthers && world.isOfCalls ? inPlainEdits(trace) : std::move(trace),
           fmt::format("mismatch-{}-{}", arguments.seed, at.number),
           fmt::format("{} --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}",
                       commandAgain(arguments, world.brushes, areFollowed), world.width, world.height, world.edits,
@@ -74,6 +76,9 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     if (!arguments.onlyCase) at.edits = std::min<std::size_t>(editsOf(at.number, arguments.world), left());
     stillAlive();
     const Checked checked = caseOf(arguments, at);
+    if (arguments.world.brushes && arguments.engine.isGiven())
+      if (const std::string why = whyNot(checked.trace, arguments.world.can); !why.empty())
+        return complain("lgs check: with --brushes there is what the engine can not have: " + why);
     options.views = checked.areFollowed;
     Features features{};
     std::size_t commits = 0;
@@ -102,7 +107,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     if (arguments.onlyCase || isOver()) break;
   }
   progress.wipe();
-  return survey ? survey->finish(totals) : finish(arguments, totals, last);
+  return survey ? survey->finish(totals, last) : finish(arguments, totals, last);
 }
 
 }  // namespace

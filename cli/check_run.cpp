@@ -83,6 +83,10 @@ Status isolated(const CheckArguments& arguments, const CheckOptions& options, co
 
 Status finish(const CheckArguments& arguments, const Totals& totals, const Scene& last) {
   printSummary(arguments, totals);
+  return drawLast(arguments, last);
+}
+
+Status drawLast(const CheckArguments& arguments, const Scene& last) {
   if (arguments.svg.empty()) return Status::fine;
   Player player(last.preserve);  // builds the world anew, because history does not matter
   for (const ScenePolygon& polygon : last.polygons) {

@@ -100,4 +100,7 @@ struct Totals {
 /// Ends a run without a mismatch: prints a summary and draws the last world, if that was asked for.
 Status finish(const CheckArguments& arguments, const Totals& totals, const oracle::Scene& last);
 
+/// Draws it alone.
+Status drawLast(const CheckArguments& arguments, const oracle::Scene& last);
+
 }  // namespace lgs::cli

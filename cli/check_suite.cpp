@@ -111,7 +111,8 @@ Status play(const CheckArguments& arguments, const Suites& suites, std::size_t& 
     if (progress.isDue()) progress.show(fmt::format("{} of {}", at + 1, counted(suites.cases.size(), "case")));
   }
   progress.wipe();
-  return survey ? survey->finish(totals) : finish(arguments, totals, sceneOf(suites.cases.back().trace));
+  const Scene last = sceneOf(suites.cases.back().trace);
+  return survey ? survey->finish(totals, last) : finish(arguments, totals, last);
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ void SurveyRun::print() const {
                printTrace(trace));
 }
 
-Status SurveyRun::finish(const Totals& totals) {
+Status SurveyRun::finish(const Totals& totals, const Scene& last) {
   if (const auto failure = options_.engine->finish()) {
     tell(*failure, stdout);
     survey_->add(*failure);
@@ -208,11 +208,12 @@ Status SurveyRun::finish(const Totals& totals) {
   if (!junit.empty()) status = worst(status, write(junit, asJUnit(results)));
   if (!replay.empty()) status = worst(status, keepFaults());
   if (const std::size_t there = known_.size() - gone_.size(); there != 0)
-    fmt::print("{} of {} still there\n", there, counted(known_.size(), "known mismatch"));
+    fmt::print("known      {} of {} are still there\n", there, counted(known_.size(), "trace"));
   fmt::print(
       "{}\nreport     {}/report.md, report.html\n",
       results.areFine() ? hasFound() ? "no mismatch that is not known" : "no mismatch" : "MISMATCHES of some kinds",
       arguments_.survey.report);
+  if (results.areFine()) status = worst(status, drawLast(arguments_, last));
   if (fixes) return worst(status, fix());
   return worst(status, results.areFine() ? Status::fine : Status::mismatch);
 }

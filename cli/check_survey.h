@@ -32,8 +32,8 @@ class SurveyRun {
 
   bool hasFound() const { return !survey_->isEmpty(); }
 
-  /// Ends the engine, writes everything, and says what there is.
-  Status finish(const Totals& totals);
+  /// Ends the engine, writes everything, and says what there is. Draws the last world if all is fine.
+  Status finish(const Totals& totals, const oracle::Scene& last);
 
  private:
   using Played = tl::expected<std::optional<oracle::Mismatch>, Status>;

@@ -8,24 +8,20 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 
 namespace {
 
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-struct Engine {
-  std::map<std::string, Path> polygons;
-};
+using Polygons = std::map<std::string, Path>;  // by name: the whole engine
 
-Engine& engineOf(void* self) { return *static_cast<Engine*>(self); }
+Polygons& polygonsOf(void* self) { return *static_cast<Polygons*>(self); }
 
-void* create() { return new Engine; }
-
-void destroy(void* self) { delete &engineOf(self); }
-
-void reset(void* self) { engineOf(self) = Engine(); }
-
+void* create() { return new Polygons; }
+void destroy(void* self) { delete &polygonsOf(self); }
+void reset(void* self) { polygonsOf(self).clear(); }
 void preserve(void*, std::uint32_t, std::uint32_t) {}
 
 void add(void* self, const char* name, std::int32_t i, std::int32_t j, std::uint32_t, const std::int32_t* xy,
@@ -35,26 +31,24 @@ void add(void* self, const char* name, std::int32_t i, std::int32_t j, std::uint
     const lgs::Point at = lgs::toWorld({i, j}, {xy[2 * k], xy[2 * k + 1]});
     polygon.emplace_back(at.x, at.y);
   }
-  engineOf(self).polygons[name] = polygon;
+  polygonsOf(self)[name] = polygon;
 }
 
-void remove(void* self, const char* name) { engineOf(self).polygons.erase(name); }
+void remove(void* self, const char* name) { polygonsOf(self).erase(name); }
 
 // Outer rings are counter-clockwise, holes clockwise: the solid is on the left.
 void tell(const Path& ring, const lgs_engine_answer* answer) {
   const std::size_t n = ring.size();
   for (std::size_t k = 0; k < n; ++k) {
-    const ClipperLib::IntPoint &before = ring[(k + n - 1) % n], &start = ring[k], &end = ring[(k + 1) % n],
-                               &after = ring[(k + 2) % n];
-    const lgs_engine_segment segment{
-        {start.X, start.Y}, {end.X, end.Y}, {before.X, before.Y}, {after.X, after.Y}, 0, 0};
+    const auto& [before, a, b, after] = std::tie(ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n], ring[(k + 2) % n]);
+    const lgs_engine_segment segment{{a.X, a.Y}, {b.X, b.Y}, {before.X, before.Y}, {after.X, after.Y}, 0, 0};
     answer->segments(answer->to, &segment, 1);
   }
 }
 
 void commit(void* self, const lgs_engine_answer* answer) {
   ClipperLib::Clipper clipper;
-  for (const auto& [name, polygon] : engineOf(self).polygons) clipper.AddPath(polygon, ClipperLib::ptSubject, true);
+  for (const auto& [name, polygon] : polygonsOf(self)) clipper.AddPath(polygon, ClipperLib::ptSubject, true);
   Paths united;
   clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   for (const Path& ring : united) tell(ring, answer);

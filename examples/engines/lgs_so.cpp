@@ -2,7 +2,6 @@
 #include <lgs/lgs_engine.h>
 #include <lgs/world.h>
 
-#include <map>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -11,74 +10,48 @@
 
 namespace {
 
-struct Refused {
-  std::string name, reason;
-};
-
 struct Engine {
-  std::set<std::pair<lgs::Block, lgs::Block>> preserve;
-  lgs::World world = lgs::World();
-  bool isNew = true;  // the preserve relation may still grow
+  std::set<std::pair<lgs::Block, lgs::Block>> preserved;
+  lgs::World world;
   std::unordered_map<std::string, lgs::PolygonHandle> handles;
-  std::vector<Refused> refused;
-
-  // A world has its relation from the start, so it is made by the first edit.
-  lgs::World& edited() {
-    if (std::exchange(isNew, false)) {
-      const auto keeps = [pairs = preserve](lgs::Block a, lgs::Block b) { return pairs.contains(std::minmax(a, b)); };
-      world = preserve.empty() ? lgs::World() : lgs::World(keeps);
-    }
-    return world;
-  }
+  std::vector<std::pair<std::string, std::string>> refused;  // names and reasons
 };
 
 Engine& engineOf(void* self) { return *static_cast<Engine*>(self); }
 
 void* create() { return new Engine; }
-
 void destroy(void* self) { delete &engineOf(self); }
-
 void reset(void* self) { engineOf(self) = Engine(); }
 
-void preserve(void* self, std::uint32_t b1, std::uint32_t b2) { engineOf(self).preserve.insert(std::minmax(b1, b2)); }
+void preserve(void* self, std::uint32_t b1, std::uint32_t b2) {
+  Engine& engine = engineOf(self);
+  engine.preserved.insert(std::minmax(b1, b2));
+  engine.world =
+      lgs::World([pairs = engine.preserved](lgs::Block a, lgs::Block b) { return pairs.contains(std::minmax(a, b)); });
+}
 
 void add(void* self, const char* name, std::int32_t i, std::int32_t j, std::uint32_t block, const std::int32_t* xy,
          std::size_t vertices) {
   Engine& engine = engineOf(self);
-  if (engine.handles.contains(name)) {
-    engine.refused.push_back({name, "the name is taken"});
-    return;
-  }
   std::vector<lgs::LocalPoint> points;
   for (std::size_t k = 0; k < vertices; ++k) points.push_back({xy[2 * k], xy[2 * k + 1]});
-  const auto handle = engine.edited().add({i, j}, points, block);
-  if (handle) {
-    engine.handles[name] = *handle;
-  } else {
-    engine.refused.push_back({name, lgs::message(handle.error())});
-  }
+  const auto handle = engine.world.add({i, j}, points, block);
+  handle ? void(engine.handles[name] = *handle) : engine.refused.push_back({name, lgs::message(handle.error())});
 }
 
 void remove(void* self, const char* name) {
   Engine& engine = engineOf(self);
-  const auto found = engine.handles.find(name);
-  if (found == engine.handles.end()) {
-    engine.refused.push_back({name, "there is no such polygon"});
-    return;
-  }
-  if (const auto done = engine.edited().remove(found->second); !done)
+  if (const auto done = engine.world.remove(engine.handles[name]); !done)
     engine.refused.push_back({name, lgs::message(done.error())});
-  engine.handles.erase(found);
 }
 
 void commit(void* self, const lgs_engine_answer* answer) {
   Engine& engine = engineOf(self);
-  for (const Refused& edit : std::exchange(engine.refused, {}))
-    answer->refused(answer->to, edit.name.c_str(), edit.reason.c_str());
-  const lgs::World& world = engine.edited();
+  for (const auto& [name, reason] : std::exchange(engine.refused, {}))
+    answer->refused(answer->to, name.c_str(), reason.c_str());
   const lgs::Changes& changes = engine.world.commit();
   const auto tell = [&](char sign, lgs::SegmentId id) {
-    const lgs::Segment s = *world.segment(id);
+    const lgs::Segment s = *engine.world.segment(id);
     const std::uint32_t missing = (s.predecessor ? 0U : 1U) | (s.successor ? 0U : 2U);
     const lgs_engine_segment told{{s.start.x, s.start.y},
                                   {s.end.x, s.end.y},
@@ -96,15 +69,8 @@ void commit(void* self, const lgs_engine_answer* answer) {
 }  // namespace
 
 extern "C" const lgs_engine_table* lgs_engine() {
-  static const lgs_engine_table kTable{LGS_ENGINE_VERSION,
-                                       "LocalGridSeg",
-                                       "ghosts blocks several slants preserve refuses delta",
-                                       create,
-                                       destroy,
-                                       reset,
-                                       preserve,
-                                       add,
-                                       remove,
-                                       commit};
+  static const char* const kCan = "ghosts blocks several slants preserve refuses delta";
+  static const lgs_engine_table kTable{
+      LGS_ENGINE_VERSION, "LocalGridSeg", kCan, create, destroy, reset, preserve, add, remove, commit};
   return &kTable;
 }

@@ -7,79 +7,49 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define UNITS ((int64_t)65536) /* of the lattice, in a cell */
-
-typedef struct square {
-  char* name;
+typedef struct square { /* of a list; the engine itself is a pointer to the first */
+  struct square* next;
   int64_t i, j;
   uint32_t block;
+  char name[];
 } square;
 
-typedef struct engine {
-  square* squares;
-  size_t count, room;
-} engine;
-
-static void* create(void) { return calloc(1, sizeof(engine)); }
+static void* create(void) { return calloc(1, sizeof(square*)); }
 
 static void reset(void* self) {
-  engine* e = self;
-  while (e->count > 0) free(e->squares[--e->count].name);
+  for (square **first = self, *gone; (gone = *first) != NULL; free(gone)) *first = gone->next;
 }
-
-static void destroy(void* self) {
-  reset(self);
-  free(((engine*)self)->squares);
-  free(self);
-}
-
+static void destroy(void* self) { reset(self), free(self); }
 static void preserve(void* self, uint32_t b1, uint32_t b2) { (void)self, (void)b1, (void)b2; }
 
-static void add(void* self, const char* name, int32_t i, int32_t j, uint32_t block, const int32_t* xy,
-                size_t vertices) {
-  engine* e = self;
-  (void)xy, (void)vertices;
-  if (e->count == e->room) {
-    e->room = 2 * e->room + 1;
-    e->squares = realloc(e->squares, e->room * sizeof *e->squares);
-    if (e->squares == NULL) abort();
-  }
-  square* s = &e->squares[e->count++];
-  s->name = malloc(strlen(name) + 1);
-  if (s->name == NULL) abort();
+static void add(void* self, const char* name, int32_t i, int32_t j, uint32_t block, const int32_t* xy, size_t count) {
+  square **first = self, *s = malloc(sizeof *s + strlen(name) + 1);
+  if (s == NULL) abort();
+  s->next = *first, s->i = i, s->j = j, s->block = block;
   strcpy(s->name, name);
-  s->i = i, s->j = j, s->block = block;
+  *first = s;
+  (void)xy, (void)count; /* it is the whole square */
 }
 
 static void removeNamed(void* self, const char* name) {
-  engine* e = self;
-  size_t k = 0;
-  while (strcmp(e->squares[k].name, name) != 0) ++k;
-  free(e->squares[k].name);
-  e->squares[k] = e->squares[--e->count];
-}
-
-static int isThere(const engine* e, int64_t i, int64_t j) {
-  for (size_t k = 0; k < e->count; ++k)
-    if (e->squares[k].i == i && e->squares[k].j == j) return 1;
-  return 0;
+  square **at = self, *gone;
+  while (gone = *at, strcmp(gone->name, name) != 0) at = &gone->next;
+  *at = gone->next;
+  free(gone);
 }
 
 static void commit(void* self, const lgs_engine_answer* answer) {
-  static const int kCorners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}},
-                   kBeyond[4][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
-  const engine* e = self;
-  for (size_t k = 0; k < 4 * e->count; ++k) {
-    const square* s = &e->squares[k / 4];
-    const int *from = kCorners[k % 4], *to = kCorners[k % 4 + 1], *beyond = kBeyond[k % 4];
-    if (isThere(e, s->i + beyond[0], s->j + beyond[1])) continue;
-    const lgs_engine_segment segment = {{(s->i + from[0]) * UNITS, (s->j + from[1]) * UNITS},
-                                        {(s->i + to[0]) * UNITS, (s->j + to[1]) * UNITS},
-                                        {0, 0},
-                                        {0, 0},
-                                        s->block,
-                                        3};
-    answer->segments(answer->to, &segment, 1);
+  static const int64_t kUnits = 65536, kWay[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  const square *const all = *(square**)self, *beyond;
+  for (const square* s = all; s != NULL; s = s->next) {
+    lgs_engine_segment side = {.end = {s->i * kUnits, s->j * kUnits}, .block = s->block, .missing = 3};
+    for (int k = 0; k < 4; ++k) { /* counter-clockwise, so the cell beyond is on the right */
+      const int64_t dx = kWay[k][0], dy = kWay[k][1];
+      memcpy(side.start, side.end, sizeof side.start);
+      side.end[0] += dx * kUnits, side.end[1] += dy * kUnits;
+      for (beyond = all; beyond && (beyond->i != s->i + dy || beyond->j != s->j - dx);) beyond = beyond->next;
+      if (beyond == NULL) answer->segments(answer->to, &side, 1);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <numeric>
 
 namespace lgs::oracle {
@@ -10,6 +11,7 @@ namespace {
 constexpr std::int32_t U = kUnitsPerCell;
 constexpr std::size_t kSteps = 16;            // of coordinates: a whole cell, a half, … two units
 constexpr std::size_t kRounded = 2 * kSteps;  // variants of a coordinate: down and up
+constexpr std::size_t kMoved = kRounded + 2;  // and of one of a stroke: as its neighbours are
 
 // The square and its halves.
 const std::array<LocalPolygon, 5>& plainPolygons() {
@@ -52,6 +54,13 @@ std::optional<Vertices> withoutSome(const Vertices& polygon, std::size_t drop) {
   return rest;
 }
 
+// With a coordinate go those that are equal, so that edges along the axes stay so.
+template <class Vertices, class Number, class Axis>
+void move(Vertices& polygon, Axis axis, Number from, Number to) {
+  for (auto& p : polygon)
+    if (p.*axis == from) p.*axis = to;
+}
+
 std::optional<LocalPolygon> withRounded(const LocalPolygon& polygon, std::size_t variant) {
   const std::size_t vertex = variant / (2 * kRounded);
   const auto axis = variant / kRounded % 2 == 0 ? &LocalPoint::x : &LocalPoint::y;
@@ -60,7 +69,7 @@ std::optional<LocalPolygon> withRounded(const LocalPolygon& polygon, std::size_t
   const std::int32_t rounded = v / step * step + (variant % 2 == 0 ? 0 : step);
   if (rounded > U || costOf(rounded) >= costOf(v)) return std::nullopt;
   LocalPolygon rounder = polygon;
-  rounder[vertex].*axis = rounded;
+  move(rounder, axis, v, rounded);
   return rounder;
 }
 
@@ -73,20 +82,25 @@ std::optional<std::int64_t> rounder(std::int64_t v, std::size_t variant) {
   return grain(rounded) > grain(v) ? std::optional(rounded) : std::nullopt;
 }
 
-std::size_t variantsOf(const std::vector<Point>& ring) { return dropsOf(ring.size()) + 2 * kRounded * ring.size(); }
-
-std::optional<std::vector<Point>> simplerRing(const std::vector<Point>& ring, std::size_t variant) {
-  const std::size_t drops = dropsOf(ring.size());
-  if (variant < drops) return withoutSome(ring, variant);
-  variant -= drops;
-  const auto axis = variant / kRounded % 2 == 0 ? &Point::x : &Point::y;
-  const std::size_t vertex = variant / (2 * kRounded);
-  const auto rounded = rounder(ring[vertex].*axis, variant % kRounded);
-  if (!rounded) return std::nullopt;
-  std::vector<Point> simpler = ring;
-  simpler[vertex].*axis = *rounded;
-  return simpler;
+// The coordinate of a vertex as the next lower or higher one is that the rings have, or rounded.
+std::optional<BrushEdit> withMoved(BrushEdit brush, const std::vector<Point>& ring, std::size_t variant) {
+  const auto axis = variant / kMoved % 2 == 0 ? &Point::x : &Point::y;
+  const std::int64_t v = ring[variant / (2 * kMoved)].*axis;
+  std::optional<std::int64_t> to;
+  if (variant %= kMoved; variant < kRounded) {
+    to = rounder(v, variant);
+  } else {
+    const bool isUp = variant == kRounded;
+    for (const auto& other : brush.rings)
+      for (const Point p : other)
+        if ((isUp ? p.*axis > v : p.*axis < v) && (!to || std::abs(p.*axis - v) < std::abs(*to - v))) to = p.*axis;
+  }
+  if (!to) return std::nullopt;
+  for (auto& other : brush.rings) move(other, axis, v, *to);
+  return brush;
 }
+
+std::size_t variantsOf(const std::vector<Point>& ring) { return dropsOf(ring.size()) + 2 * kMoved * ring.size(); }
 
 }  // namespace
 
@@ -119,11 +133,14 @@ std::optional<BrushEdit> simplerBrush(const BrushEdit& brush, std::size_t varian
     return simpler;
   }
   variant -= brush.rings.size();
-  std::size_t ring = 0;
-  for (; variant >= variantsOf(brush.rings[ring]); ++ring) variant -= variantsOf(brush.rings[ring]);
-  auto rounded = simplerRing(brush.rings[ring], variant);
-  if (!rounded) return std::nullopt;
-  simpler.rings[ring] = std::move(*rounded);
+  std::size_t k = 0;
+  for (; variant >= variantsOf(brush.rings[k]); ++k) variant -= variantsOf(brush.rings[k]);
+  const std::vector<Point>& ring = brush.rings[k];
+  const std::size_t drops = dropsOf(ring.size());
+  if (variant >= drops) return withMoved(brush, ring, variant - drops);
+  auto rest = withoutSome(ring, variant);
+  if (!rest) return std::nullopt;
+  simpler.rings[k] = std::move(*rest);
   return simpler;
 }
 

@@ -198,5 +198,38 @@ TEST(ShrinkBrush, DropsRingsAndVerticesAndRoundsCoordinates) {
   EXPECT_FALSE(rings.contains(with(3, {-9, U}))) << "it is not rounder";
 }
 
+// An engine without slants refuses all others.
+TEST(ShrinkBrush, KeepsEdgesAlongTheAxes) {
+  const auto failsStill = [](const Trace& trace) {
+    const auto isAlongAnAxis = [](Point a, Point b) { return a.x == b.x || a.y == b.y; };
+    std::int64_t area2 = 0;
+    for (const Call& call : trace.calls)
+      for (const auto& ring : call.brush.rings)
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+          if (!isAlongAnAxis(a, b)) return false;
+          area2 += a.x * b.y - b.x * a.y;
+        }
+    return area2 != 0;
+  };
+  const std::vector<Point> notched{{5, 3},      {7 * U + 1, 3},    {7 * U + 1, 991},
+                                   {5000, 991}, {5000, 4 * U - 7}, {5, 4 * U - 7}};
+  const std::vector<Point> flat{{5, 3}, {5, 3}, {99, 3}};
+  const Trace small = shrink({{}, {painting({flat, notched})}}, failsStill, 10s);
+  ASSERT_EQ(small.calls.size(), 1U);
+  ASSERT_EQ(small.calls[0].brush.rings.size(), 1U);
+  const std::vector<Point>& ring = small.calls[0].brush.rings[0];
+  EXPECT_EQ(ring.size(), 4U);
+  for (const Point p : ring) EXPECT_TRUE(p.x % U == 0 && p.y % U == 0) << p.x << ", " << p.y;
+}
+
+TEST(ShrinkPolygon, KeepsEdgesAlongTheAxes) {
+  std::set<LocalPolygon> found;
+  const LocalPolygon flat{{0, 5}, {U, 5}, {U, U}, {0, U}};
+  for (std::size_t k = 0; k < variantsOf(flat); ++k)
+    if (const auto simple = simplerPolygon(flat, k)) found.insert(*simple);
+  EXPECT_TRUE(found.contains({{0, U / 2}, {U, U / 2}, {U, U}, {0, U}}));
+}
+
 }  // namespace
 }  // namespace lgs::oracle::shrinking

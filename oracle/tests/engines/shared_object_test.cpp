@@ -99,6 +99,11 @@ TEST_F(SharedObjects, AreCheckedByTheCommand) {
   EXPECT_EQ(joined.status, 0) << joined.text;
   const Outcome silent = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume ghosts --edits 300");
   EXPECT_NE(silent.text.find("put out a change, and does not declare 'delta'"), std::string::npos) << silent.text;
+  EXPECT_EQ(sh("lgs check --engine-so '" LGS_ENGINE_SO "' --brushes --edits 300").status, 0);
+  const Outcome squares =
+      sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume 'squares delta' --brushes --edits 300");
+  EXPECT_EQ(squares.status, 2) << squares.text;
+  EXPECT_NE(squares.text.find("what the engine can not have: edit 1, "), std::string::npos) << squares.text;
   EXPECT_EQ(sh("lgs check --engine-so ./missing.so --edits 10").status, 2);
   EXPECT_EQ(sh("lgs check --engine-so a.so --engine b").status, 2);
   EXPECT_EQ(sh("lgs check --engine-timeout 3").status, 2);

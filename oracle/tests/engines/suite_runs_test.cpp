@@ -45,6 +45,16 @@ TEST_F(SuiteRuns, WhatCanNotBePlayedIsNoSuccess) {
   expect(check(empty("squares"), "--suite two.wkt"), 2, {"the engine does not say 'regions'"});
 }
 
+TEST_F(SuiteRuns, WhatAnEngineHasPaintedIsDrawn) {
+  const std::string engine = exampleWith("squares_regions.py", {});
+  for (const std::string report : {"", " --report r"}) {
+    expect(check(engine, "--edits 200 --svg last.svg" + report), 0, {"no mismatch\n", "picture    last.svg"});
+    EXPECT_NE(get("last.svg").find(", seed 1"), std::string::npos);
+    EXPECT_NE(get("last.svg").find(") → ("), std::string::npos) << "what was painted, and no empty world";
+    std::filesystem::remove(folder_ / "last.svg");
+  }
+}
+
 TEST_F(SuiteRuns, AMismatchNamesItsCase) {
   const Outcome outcome = check(empty("regions"), "--suite two.wkt");
   expect(outcome, 1, {"case       ", "two.wkt:2: union", "missing solid", "mismatch-suite-0.trace"});
