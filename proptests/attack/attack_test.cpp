@@ -108,7 +108,7 @@ std::string inWords(const std::vector<Blow>& blows) {
 std::vector<std::uint32_t> countsOf(const Door& door) {
   Scene scene;
   std::vector<std::uint32_t> counts;
-  for (const auto& count : door.counts) counts.push_back(static_cast<std::uint32_t>(count(scene)));
+  for (const Kind& kind : door.arguments) counts.push_back(static_cast<std::uint32_t>(kind.count(scene)));
   return counts;
 }
 

@@ -15,21 +15,46 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace lgs::test {
 
 /// Which value each argument gets, modulo how many there are. 0 is the plain one.
 using Picks = std::array<std::uint32_t, 8>;
 
+/// A type of arguments: how many values it has, and each in words.
+struct Kind {
+  template <class T>
+  static Kind of() {
+    return {[](Scene& scene) { return Hostile<T>::values(scene).size(); },
+            [](Scene& scene, std::uint32_t number) { return Hostile<T>::told(pick<T>(scene, number)); }};
+  }
+  template <class T>
+  static std::conditional_t<std::is_same_v<T, bool>, bool, const T&> pick(Scene& scene, std::uint32_t number) {
+    const auto& values = Hostile<T>::values(scene);
+    return values[number % values.size()];
+  }
+
+  std::size_t (*count)(Scene&);
+  std::string (*told)(Scene&, std::uint32_t number);
+};
+
 struct Door {
   std::string name;
-  std::vector<std::function<std::size_t(Scene&)>> counts;  ///< of the values of each argument
-  std::function<bool(Scene&, const Picks&)> isRefused;     ///< makes the call
-  std::function<std::string(Scene&, const Picks&)> told;   ///< its arguments in words
+  std::vector<Kind> arguments;
+  std::function<bool(Scene&, const Picks&)> isRefused;  ///< makes the call
   /// Whether the documents say that it is refused, where they are simple enough to be asked.
   std::function<bool(Scene&, const Picks&)> mustBeRefused;
+
+  std::string told(Scene& scene, const Picks& picks) const {  ///< its arguments in words
+    std::string text;
+    for (std::size_t k = 0; k < arguments.size(); ++k)
+      text += (k == 0 ? "" : ", ") + arguments[k].told(scene, picks[k]);
+    return text;
+  }
 };
 
 /// All of them, by library.
@@ -37,63 +62,45 @@ const std::vector<Door>& doors();
 
 class Doors {
  public:
-  template <class Call>
-  void operator()(const char* name, Call call) {
-    add(name, std::function{call});
-  }
-  template <class Call, class Says>
-  void operator()(const char* name, Call call, Says says) {
-    add(name, std::function{call});
-    all.back().mustBeRefused = drawn(std::function{says});
-  }
+  void operator()(const char* name, auto call) { add(name, +call, {}); }
+  void operator()(const char* name, auto call, auto says) { add(name, +call, drawn(+says, std::identity{})); }
 
   std::vector<Door> all;
 
  private:
-  template <class T>
-  static std::conditional_t<std::is_same_v<T, bool>, bool, const std::decay_t<T>&> pick(Scene& scene,
-                                                                                        std::uint32_t number) {
-    const auto& values = Hostile<std::decay_t<T>>::values(scene);
-    return values[number % values.size()];
-  }
-
-  template <class... Args>
-  static std::function<bool(Scene&, const Picks&)> drawn(std::function<bool(Scene&, Args...)> function) {
-    return [function = std::move(function)](Scene& scene, const Picks& picks) {
-      return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return function(scene, pick<Args>(scene, picks[I])...);
-      }
-      (std::index_sequence_for<Args...>());
-    };
-  }
-
   template <class Result, class... Args>
-  void add(const char* name, std::function<Result(Scene&, Args...)> call) {
+  void add(const char* name, Result (*call)(Scene&, Args...), std::function<bool(Scene&, const Picks&)> says) {
     static_assert(sizeof...(Args) <= std::tuple_size_v<Picks>);
-    Door door{name, {}, {}, {}, {}};
-    (door.counts.emplace_back([](Scene& scene) { return Hostile<std::decay_t<Args>>::values(scene).size(); }), ...);
-    door.isRefused = drawn(std::function<bool(Scene&, Args...)>([call = std::move(call)](Scene& scene, Args... args) {
-      if constexpr (std::is_same_v<Result, lgs_status>) {
-        return call(scene, args...) != LGS_OK;
-      } else if constexpr (requires(Result * r) {
-                             r->has_value();
-                             r->error();
-                           }) {
-        return !call(scene, args...).has_value();
-      } else {
-        static_cast<void>(call(scene, args...));
+    all.push_back({name, {Kind::of<std::decay_t<Args>>()...}, drawn(call, IsRefusal{}), std::move(says)});
+  }
+
+  struct IsRefusal {
+    bool operator()(lgs_status status) const { return status != LGS_OK; }
+    bool operator()(const auto& result) const {
+      if constexpr (requires {
+                      result.has_value();
+                      result.error();
+                    })
+        return !result.has_value();
+      else
         return false;
-      }
-    }));
-    door.told = [](Scene& scene, const Picks& picks) {
+    }
+  };
+
+  /// The call with the values that are picked, and what is made of its result.
+  template <class Result, class... Args>
+  static std::function<bool(Scene&, const Picks&)> drawn(Result (*call)(Scene&, Args...), auto judge) {
+    return [=](Scene& scene, const Picks& picks) {
       return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        std::string text;
-        ((text += (I == 0 ? "" : ", ") + Hostile<std::decay_t<Args>>::told(pick<Args>(scene, picks[I]))), ...);
-        return text;
+        if constexpr (std::is_void_v<Result>) {
+          call(scene, Kind::pick<std::decay_t<Args>>(scene, picks[I])...);
+          return false;
+        } else {
+          return judge(call(scene, Kind::pick<std::decay_t<Args>>(scene, picks[I])...));
+        }
       }
       (std::index_sequence_for<Args...>());
     };
-    all.push_back(std::move(door));
   }
 };
 

@@ -10,24 +10,25 @@ namespace {
 
 bool isNoLength(std::int64_t v) { return v < 1 || v > kMaxRegionCells / 2 * kUnitsPerCell; }
 
+/// What functions of regions make is used at once: a region may be refused, but nothing else.
+void use(Scene& s, const Region& region) {
+  const auto painted = paint(s.other, region, 4, PaintMode::fill);
+  if (!painted) return;
+  const auto carved = carve(s.other, region);  // of what was full before, it may leave too much for a cell
+  EXPECT_TRUE(carved || carved.error().code == ErrorCode::capacity);
+}
+
 }  // namespace
 
 void addDoorsOfBrushes(Doors& door) {
-  // What these make is used at once: a region may be refused, but nothing else.
-  const auto used = [](Scene& s, const Region& region) {
-    const auto painted = paint(s.other, region, 4, PaintMode::fill);
-    if (!painted) return;
-    const auto carved = carve(s.other, region);  // of what was full before, it may leave too much for a cell
-    EXPECT_TRUE(carved || carved.error().code == ErrorCode::capacity);
-  };
-  door("region(span<const vector<DoublePoint>>, FillRule)", [used](Scene& s, const std::vector<Reals<double>>& rings,
-                                                                   FillRule rule) {
+  door("region(span<const vector<DoublePoint>>, FillRule)", [](Scene& s, const std::vector<Reals<double>>& rings,
+                                                               FillRule rule) {
     const Region made = region(rings, rule);
     std::vector<Ring> expected(rings.size());
     for (std::size_t k = 0; k < rings.size(); ++k)
       std::ranges::transform(rings[k], std::back_inserter(expected[k]), [](DoublePoint p) { return latticePoint(p); });
     EXPECT_EQ(made.rings, expected);  // no vertex is lost, so the message can name the one that is no number
-    used(s, made);
+    use(s, made);
   });
   door("circle(Point, int64_t, int)", [](Scene& s, Point center, std::int64_t radius, int corners) {
     return refusedIf(!inRange(center) || isNoLength(radius), carve(s.world, circle(center, radius, corners)));

@@ -17,42 +17,32 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// What every view can go through as a value; it goes on as what it became.
-template <class View>
-auto copied(std::optional<View> Followed::*view) {
-  return [view](Scene& s) {
-    const View copy(*(followedBy(s).*view));
-    followedBy(s).*view = copy;
-  };
+template <auto kView>
+void copied(Scene& s) {
+  const auto copy(*(followedBy(s).*kView));
+  followedBy(s).*kView = copy;
 }
-template <class View>
-auto assignedToItself(std::optional<View> Followed::*view) {
-  return [view](Scene& s) {
-    const View& same = *(followedBy(s).*view);
-    *(followedBy(s).*view) = same;
-  };
+template <auto kView>
+void assignedToItself(Scene& s) {
+  const auto& same = *(followedBy(s).*kView);
+  *(followedBy(s).*kView) = same;
 }
-template <class View>
-auto moved(std::optional<View> Followed::*view) {
-  return [view](Scene& s) {
-    View next(std::move(*(followedBy(s).*view)));
-    *(followedBy(s).*view) = next;  // all that may be done to what was moved from
-  };
+template <auto kView>
+void moved(Scene& s) {
+  auto next(std::move(*(followedBy(s).*kView)));
+  *(followedBy(s).*kView) = next;  // all that may be done to what was moved from
 }
-template <class View>
-auto moveAssigned(std::optional<View> Followed::*view) {
-  return [view](Scene& s) {
-    View next(followedBy(s).other);
-    next = std::move(*(followedBy(s).*view));
-    *(followedBy(s).*view) = std::move(next);
-  };
+template <auto kView>
+void moveAssigned(Scene& s) {
+  std::remove_cvref_t<decltype(*(followedBy(s).*kView))> next(followedBy(s).other);
+  next = std::move(*(followedBy(s).*kView));
+  *(followedBy(s).*kView) = std::move(next);
 }
 /// Ends, and begins anew.
-template <class View>
-auto ended(std::optional<View> Followed::*view) {
-  return [view](Scene& s) {
-    followedBy(s).commit();
-    (followedBy(s).*view).emplace(followedBy(s).world);
-  };
+template <auto kView>
+void ended(Scene& s) {
+  followedBy(s).commit();
+  (followedBy(s).*kView).emplace(followedBy(s).world);
 }
 
 /// Changes that a view may be told: the last ones, early ones, those of others, and what a stranger made up.
@@ -151,11 +141,11 @@ void addDoorsOfViews(Doors& door) {
   });
   door("Loops::Loops(const World&)",
        [](Scene& s, bool isOther) { return Loops(isOther ? s.other : s.world).all().size(); });
-  door("Loops::~Loops()", ended(&Followed::loops));
-  door("Loops::Loops(const Loops&)", copied(&Followed::loops));
-  door("Loops::operator=(const Loops&)", assignedToItself(&Followed::loops));
-  door("Loops::Loops(Loops&&)", moved(&Followed::loops));
-  door("Loops::operator=(Loops&&)", moveAssigned(&Followed::loops));
+  door("Loops::~Loops()", ended<&Followed::loops>);
+  door("Loops::Loops(const Loops&)", copied<&Followed::loops>);
+  door("Loops::operator=(const Loops&)", assignedToItself<&Followed::loops>);
+  door("Loops::Loops(Loops&&)", moved<&Followed::loops>);
+  door("Loops::operator=(Loops&&)", moveAssigned<&Followed::loops>);
   door("Loops::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
     const Followed& f = followedBy(s);
     Loops copy = *f.loops;  // which is out of step, if lists are made up well enough
@@ -181,10 +171,10 @@ void addDoorsOfViews(Doors& door) {
     followedBy(s).commit();
     followedBy(s).islands.emplace(followedBy(s).world, [](Block block, Cell) { return isBedrock(block); });
   });
-  door("Islands::Islands(const Islands&)", copied(&Followed::islands));
-  door("Islands::operator=(const Islands&)", assignedToItself(&Followed::islands));
-  door("Islands::Islands(Islands&&)", moved(&Followed::islands));
-  door("Islands::operator=(Islands&&)", moveAssigned(&Followed::islands));
+  door("Islands::Islands(const Islands&)", copied<&Followed::islands>);
+  door("Islands::operator=(const Islands&)", assignedToItself<&Followed::islands>);
+  door("Islands::Islands(Islands&&)", moved<&Followed::islands>);
+  door("Islands::operator=(Islands&&)", moveAssigned<&Followed::islands>);
   door("Islands::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
     const Followed& f = followedBy(s);
     Islands copy = *f.islands;
@@ -260,11 +250,11 @@ void addDoorsOfPieces(Doors& door) {
   door("Pieces::Pieces(const World&, PiecesOptions)", [](Scene& s, bool isLeast) {
     return Pieces(followedBy(s).other, {.maxVertices = isLeast ? std::size_t{3} : std::size_t{4'096}}).stats().cells;
   });
-  door("Pieces::~Pieces()", ended(&Followed::pieces));
-  door("Pieces::Pieces(const Pieces&)", copied(&Followed::pieces));
-  door("Pieces::operator=(const Pieces&)", assignedToItself(&Followed::pieces));
-  door("Pieces::Pieces(Pieces&&)", moved(&Followed::pieces));
-  door("Pieces::operator=(Pieces&&)", moveAssigned(&Followed::pieces));
+  door("Pieces::~Pieces()", ended<&Followed::pieces>);
+  door("Pieces::Pieces(const Pieces&)", copied<&Followed::pieces>);
+  door("Pieces::operator=(const Pieces&)", assignedToItself<&Followed::pieces>);
+  door("Pieces::Pieces(Pieces&&)", moved<&Followed::pieces>);
+  door("Pieces::operator=(Pieces&&)", moveAssigned<&Followed::pieces>);
   door("Pieces::update(span<const CellChange>)", [](Scene& s, bool isAgain) {
     Followed& f = followedBy(s);
     return f.pieces->update(isAgain ? f.world.cellChanges() : std::span<const CellChange>()).size();
