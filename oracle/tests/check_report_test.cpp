@@ -300,7 +300,7 @@ TEST_F(CheckSurvey, ShrinksAdviceThatComesBehindOtherAdvice) {
   EXPECT_FALSE(findMismatch(fourSquares(), options));
   for (const Mismatch& found : advice) all.add(found, fourSquares(), {});
   expectSaid(get("report/report.md"), "| wrong link | 1 | [2 edits]");
-  expectSaid(get("report/report.md"), "| wrong block | 1 | [3 edits]");
+  expectSaid(get("report/wrong-block.trace"), "commit", false);
 }
 
 TEST_F(CheckSurvey, LooksForWhatIsNewBehindAnyNumberOfKnownOnes) {
