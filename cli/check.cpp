@@ -86,7 +86,7 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
   CLI::Option* const brushes = command.add_flag("--brushes", arguments->world.brushes,
                                                 "Paint and carve in all cases, not in a quarter of them: each\n"
                                                 "stroke is measured against CGAL's exact result. An engine of\n"
-                                                "cells gets the adds and removes of what this library's do");
+                                                "cells gets what they do as adds and removes");
   CLI::Option* const views = command.add_flag("--views", arguments->options.views,
                                               "Follow all cases, not a quarter of them, with views of loops,\n"
                                               "islands, pieces and hashes: these are compared with a full\n"

@@ -24,16 +24,14 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string again(const CheckArguments& arguments) {
-  const std::string which = arguments.onlyCase ? fmt::format(" --case {}", *arguments.onlyCase) : "";
-  std::string text = !arguments.suites.empty()
-                         ? suitesAgain(arguments) + which
-                         : fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}{} --oracle {} --report {}",
-                                       commandAgain(arguments), arguments.world.width, arguments.world.height,
-                                       arguments.world.edits, lengthOf(arguments), arguments.seed, which,
-                                       arguments.oracleName(), shellPath(arguments.survey.report));
-  const auto& survey = arguments.survey;
-  if (!arguments.suites.empty())
-    text += fmt::format(" --oracle {} --report {}", arguments.oracleName(), shellPath(survey.report));
+  const auto& [world, survey] = std::tie(arguments.world, arguments.survey);
+  std::string text =
+      !arguments.suites.empty()
+          ? suitesAgain(arguments)
+          : fmt::format("{} --cells {}x{} --case-edits {}{} --seed {}", commandAgain(arguments, world.brushes),
+                        world.width, world.height, world.edits, lengthOf(arguments), arguments.seed);
+  if (arguments.onlyCase) text += fmt::format(" --case {}", *arguments.onlyCase);
+  text += fmt::format(" --oracle {} --report {}", arguments.oracleName(), shellPath(survey.report));
   if (!survey.known.empty()) text += " --known " + shellPath(survey.known);
   if (!survey.replay.empty()) text += " --replay " + shellPath(survey.replay);
   return survey.laws.empty() ? text : text + " --laws " + shellWord(survey.laws);

@@ -1,6 +1,7 @@
 // Engines that are wrong in one thing: what the checker says of each.
 #include "checking.h"
 #include "oracle/check/failure.h"
+#include "oracle/check/levels.h"
 #include "oracle/check/reference_engine.h"
 #include "oracle/generate/generator.h"
 #include "oracle/views/named_islands.h"
@@ -10,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <algorithm>
 #include <functional>
+#include <map>
 
 namespace lgs::oracle::engines {
 namespace {
@@ -107,6 +109,50 @@ TEST(CheckEngines, AnotherOutlineIsToldWithAllThatBelongsToIt) {
   EXPECT_EQ(found.edited, (std::vector<Cell>{{1, 0}}));
   engine.change = nullptr;
   EXPECT_FALSE(check(engine, twoSquares()));
+}
+
+// It tells what changed; and from the second commit on it removes the first segment and adds it again.
+class Remaking : public ReferenceEngine {
+ public:
+  Remaking() : ReferenceEngine(true, false) { assume(parseCapabilities("ghosts blocks delta").value()); }
+  Refusals commit() override {
+    SegmentChanges changes;
+    auto refusals = ReferenceEngine::commit();
+    for (const OutlineSegment& s : ReferenceEngine::outline())
+      if (std::string id = std::to_string(ids_.size()); ids_.try_emplace(s, id).second) changes.push_back({'+', id, s});
+    if (auto& [s, id] = *ids_.begin(); !delta_.outline().empty()) {
+      changes.push_back({'-', id});
+      changes.push_back({'+', id += "'", s});
+    }
+    delta_.take(changes);
+    return refusals;
+  }
+  Outline outline() const override { return delta_.outline(); }
+  const Delta* delta() const override { return &delta_; }
+
+ private:
+  std::map<OutlineSegment, std::string> ids_;
+  Delta delta_;
+};
+
+// Of these squares the bottoms lie on one line: that is no excuse.
+TEST(CheckEngines, ASegmentThatIsMadeAgainBesideANewPolygonIsNeedless) {
+  Remaking engine;
+  const Mismatch found = must(check(engine, {{}, {square("a", {0, 0}), Call::commit(), square("b", {2, 0})}}));
+  EXPECT_EQ(found.kind, Kind::needless);
+  EXPECT_TRUE(found.text.starts_with("removed and added, but is as it was: (0, 0) → (1, 0)")) << found.text;
+}
+
+TEST(CheckEngines, AdviceDoesNotEndTheCheck) {
+  Wrong engine;
+  engine.change = [](Outline& o) { o.size() == 4 ? o[0].ghost1.reset() : o.pop_back(); };
+  std::size_t advised = 0;
+  const Mismatch found = must(findMismatch(twoSquares(), {.engine = &engine,
+                                                          .skipRefused = true,
+                                                          .recommended = parseLaws("ghosts=should").value(),
+                                                          .advise = [&](const Mismatch&) { ++advised; }}));
+  EXPECT_EQ(found.commit, 2U);
+  EXPECT_EQ(advised, 1U);
 }
 
 TEST(CheckEngines, ASegmentOfNothingIsToldBeforeAnyEdit) {

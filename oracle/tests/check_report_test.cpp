@@ -1,5 +1,6 @@
 // What is printed and saved of a mismatch, for engines that are wrong once there are two polygons.
 #include "checking.h"
+#include "oracle/check/levels.h"
 #include "oracle/check/reference_engine.h"
 #include "oracle/check/report.h"
 #include "oracle/check/shell.h"
@@ -288,6 +289,18 @@ TEST_F(CheckSurvey, ShrinksNoFaultToAnother) {
   trace.calls.pop_back();
   add(all, engine, trace);
   expectSaid(get("report/report.md"), "| wrong link | 1 | [1 edit]");
+}
+
+TEST_F(CheckSurvey, ShrinksAdviceThatComesBehindOtherAdvice) {
+  Wrong engine([](Outline& o) { o.size() == 8 ? void(o[0].ghost1 = o[0].end) : void(o[0].block = 9); });
+  CheckOptions options{.engine = &engine, .recommended = parseLaws("ghosts=should blocks=should").value()};
+  Survey all(options, {path("report"), "lgs check --all", 60s});
+  std::vector<Mismatch> advice;
+  options.advise = [&](const Mismatch& found) { advice.push_back(found); };
+  EXPECT_FALSE(findMismatch(fourSquares(), options));
+  for (const Mismatch& found : advice) all.add(found, fourSquares(), {});
+  expectSaid(get("report/report.md"), "| wrong link | 1 | [2 edits]");
+  expectSaid(get("report/wrong-block.trace"), "commit", false);
 }
 
 TEST_F(CheckSurvey, LooksForWhatIsNewBehindAnyNumberOfKnownOnes) {

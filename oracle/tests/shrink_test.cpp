@@ -212,8 +212,8 @@ TEST(ShrinkBrush, KeepsEdgesAlongTheAxes) {
         }
     return area2 != 0;
   };
-  const std::vector<Point> notched{{5, 3},      {7 * U + 1, 3},    {7 * U + 1, 991},
-                                   {5000, 991}, {5000, 4 * U - 7}, {5, 4 * U - 7}};
+  const std::int64_t x = 3 * U, y = 2 * U + 9, right = 7 * U + 1, top = 5 * U - 7;
+  const std::vector<Point> notched{{5, 3}, {right, 3}, {right, y}, {x, y}, {x, top}, {5, top}};
   const std::vector<Point> flat{{5, 3}, {5, 3}, {99, 3}};
   const Trace small = shrink({{}, {painting({flat, notched})}}, failsStill, 10s);
   ASSERT_EQ(small.calls.size(), 1U);

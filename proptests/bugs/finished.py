@@ -92,6 +92,7 @@ class Finished:
         return self.shell(self.moved(command) + " -O1 -w")
 
     def moved(self, text: str) -> str:
+        text = text.replace(f" -I{ROOT} ", f" -I{self.tree} -I{ROOT} ")
         return re.sub(rf"{re.escape(str(ROOT))}/({'|'.join(ROOMS)})\b", rf"{self.tree}/\1", text)
 
     def shell(self, command: str) -> float:

@@ -37,6 +37,10 @@ TEST_F(BadEngines, PrintsGarbage) {
              "the engine answered '?garbage': a line of an answer begins with refused, segment, island, end or #");
 }
 
+TEST_F(BadEngines, EndsItsLinesAsWindowsDoes) {
+  expectTold(naiveThat("print('end\\r', flush=True)"), "the engine answered 'end?': lines end with a line feed alone");
+}
+
 TEST_F(BadEngines, PrintsALineWithoutEnd) {
   expectTold(naiveThat("\n            while True: print('x' * 9999, end='')"), "a line of more than 1 MiB");
 }

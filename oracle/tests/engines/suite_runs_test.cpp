@@ -48,7 +48,7 @@ TEST_F(SuiteRuns, WhatCanNotBePlayedIsNoSuccess) {
 TEST_F(SuiteRuns, WhatAnEngineHasPaintedIsDrawn) {
   const std::string engine = exampleWith("squares_regions.py", {});
   for (const std::string report : {"", " --report r"}) {
-    expect(check(engine, "--edits 200 --svg last.svg" + report), 0, {"no mismatch\n", "picture    last.svg"});
+    expect(check(engine, "--edits 60 --svg last.svg" + report), 0, {"no mismatch\n", "picture    last.svg"});
     EXPECT_NE(get("last.svg").find(", seed 1"), std::string::npos);
     EXPECT_NE(get("last.svg").find(") → ("), std::string::npos) << "what was painted, and no empty world";
     std::filesystem::remove(folder_ / "last.svg");
