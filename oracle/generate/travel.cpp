@@ -82,7 +82,10 @@ void Editor::travel(Cell cell) {
         time(commit);
       }
       time(goBack, nth, true);
-      if (random_.chance(30)) time(goBack, random_.below(8U), true);
+      if (random_.chance(40)) {  // what is ahead stays, or goes
+        const bool goesOn = random_.chance(50);
+        time(goBack, random_.below(8U), goesOn);
+      }
       if (random_.chance(30)) someEdits(1);
       if (habits_.memory > 0 && random_.chance(40)) turn(random_.chance(50) ? unload : reload, cell);
       if (random_.chance(30)) time(commit);
@@ -144,13 +147,15 @@ void Editor::remember(Cell cell) {
     case 3:
       return turn(reload, cell);
     case 4:
-    case 5:  // given up: it comes back empty, is edited, leaves and comes back again
+    case 5: {  // given up: it comes back empty, is edited, leaves and comes back again
+      const bool isMarked = random_.chance(40);
+      if (isMarked) make(Call::of(mark));
       if (random_.chance(40)) edit();
       if (random_.chance(60)) turn(unload, cell);
       if (random_.chance(30)) make(Call::commit());
       turn(reloadEmpty, cell);
       if (random_.chance(40)) {
-        make(Call::of(mark));
+        if (!isMarked) make(Call::of(mark));
         goBackToLast();
       }
       if (random_.chance(60)) make(squareAt(cell));
@@ -159,6 +164,7 @@ void Editor::remember(Cell cell) {
       turn(unload, cell);
       commits();
       return turn(reload, cell);
+    }
     case 6: {  // an empty chunk goes, and another one gets its number
       forgetMarks();
       Call gone = Call::of(clear);
