@@ -41,6 +41,8 @@ class Painter {
     std::vector<Call> calls;
     if (!brush.isEvenOdd) {
       brush.rings = std::move(parts);
+      if (random_.chance(20))
+        for (Ring& ring : brush.rings) std::ranges::reverse(ring);
       return {Call::byBrush(std::move(brush))};
     }
     for (Ring& ring : parts) {
