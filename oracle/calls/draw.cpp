@@ -241,7 +241,7 @@ LocalPolygon drawPolygon(Random& choices) {
 
 LocalPolygon spoilt(Random& choices, LocalPolygon polygon) {
   const std::size_t n = polygon.size(), k = choices.below(n), m = choices.below(n);
-  switch (choices.below(10)) {
+  switch (choices.below(9)) {
     case 0:
       std::reverse(polygon.begin(), polygon.end());
       break;
@@ -265,13 +265,7 @@ LocalPolygon spoilt(Random& choices, LocalPolygon polygon) {
       polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(k), {(a.x + b.x) / 2, (a.y + b.y) / 2});
       break;
     }
-    case 7: {  // an edge that folds back
-      const LocalPoint a = polygon[m], b = polygon[(m + 1) % n];
-      polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>((m + 1) % n + 1),
-                     {(a.x + b.x) / 2, (a.y + b.y) / 2});
-      break;
-    }
-    case 8:  // no area
+    case 7:  // no area
       for (LocalPoint& p : polygon) p.y = p.x;
       break;
     default:  // there and back again
