@@ -73,7 +73,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   const auto isOver = [&] { return arguments.seconds ? totals.seconds() >= *arguments.seconds : left() == 0; };
   for (at.number = arguments.onlyCase.value_or(0);; ++at.number) {
     at.edits = arguments.world.edits;
-    if (!arguments.onlyCase) at.edits = std::min<std::size_t>(editsOf(at.number, arguments.world), left());
+    if (!arguments.onlyCase) at.edits = std::min<std::size_t>(editsOf(at.number, worldOf(arguments, at)), left());
     stillAlive();
     const Checked checked = caseOf(arguments, at);
     if (arguments.world.brushes && arguments.engine.isGiven())

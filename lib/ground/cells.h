@@ -72,6 +72,9 @@ class Cells {
   Held held(std::uint32_t ref, CellWord word, Block block) const {
     return {ref, word, block, isListed(word) ? lists_.at(word & ~kListBit) : nullptr};
   }
+  static std::uint32_t lastSerial(const Held& held) {
+    return held.list != nullptr ? PolygonList(held.list).lastSerial() : held.word & kLowMask;
+  }
   /// By handle, behind what is in `out`. Valid until the next edit.
   void read(const Held& held, std::vector<PlacedPolygon>& out) const;
 

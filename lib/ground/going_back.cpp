@@ -1,6 +1,7 @@
 // The ground's part of going back and forward: what a note of it is exchanged with.
 #include "ground/ground.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -24,14 +25,17 @@ void Ground::exchange(Note& note) {
 /// Of an unloaded chunk too: of these cells its border has the last word, and not its bytes.
 void Ground::exchangeCell(Note& note) {
   const std::uint32_t number = note.key / kChunkCells, local = note.key % kChunkCells;
+  Border* border = grid.border(number);
+  if (border) {
+    border->isOwed = true;
+    border->lastSerial = std::max(border->lastSerial, lastSerial(held(note)));
+  }
   const auto swap = [&](CellWord word, Block& block) {
     const CellWord then = moveIn(note.value, journal);
     note.value = moveOut(word, journal);
     std::swap(note.block, block);
     return then;
   };
-  Border* border = grid.border(number);
-  if (border) border->isOwed = true;
   if (border && !isAtRim(local)) {
     Border::Kept& kept = border->keptAt(local);
     kept.word = swap(kept.word, kept.block);

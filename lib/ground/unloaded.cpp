@@ -144,10 +144,17 @@ Chunk& Ground::load(std::uint32_t number, CellMask& known) {
   return chunk;
 }
 
+/// None of its serials is given out again, nor one of what was undone: that may be redone, and is gone then.
 void Ground::loadEmpty(std::uint32_t number) {
-  const std::uint32_t lastSerial = grid.border(number)->lastSerial;
+  std::uint32_t lastSerial = grid.border(number)->lastSerial;
+  const auto isOfChunk = [&](const Note& note) {
+    return note.thing == Thing::cell && note.key / kChunkCells == number;
+  };
+  journal.forEach([&](const Note& note) {
+    if (isOfChunk(note)) lastSerial = std::max(lastSerial, Cells::lastSerial(held(note)));
+  });
   journal.forEach([&](Note& note) {
-    if (note.thing != Thing::cell || note.key / kChunkCells != number) return;
+    if (!isOfChunk(note)) return;
     dropMoved(note.value, journal);
     note.value = moveOut(emptyWord(lastSerial), journal);
   });

@@ -309,11 +309,13 @@ void Caller::reload(const Call& call, Outcome& out) {
   if (call.nth % 2 != 0) std::ranges::reverse(corners);
   for (const Cell corner : corners) {
     const std::vector<Bytes>& kept = shelf_.at(corner);
-    const bool isBack = std::any_of(kept.rbegin(), kept.rend(), [&](const Bytes& bytes) {
+    const auto isTaken = [&](const Bytes& bytes) {
       const auto done = world.reload(bytes);
       return done && *done == corner;
-    });
-    if (isBack) out.chunks.push_back(corner);
+    };
+    // Of a chunk that is away none but the last bytes may be taken; where there is none, any.
+    const bool isAway = world.firstUnloaded({corner, corner}).has_value();
+    if (isAway ? std::ranges::any_of(kept, isTaken) : isTaken(kept.back())) out.chunks.push_back(corner);
   }
 }
 

@@ -192,7 +192,7 @@ class Strokes {
         const std::size_t number = numberOf(block);
         return number < blocks_.size() && blocks_[number] == block && solid[number];
       };
-      const bool isInside = stroke.isEvenOdd ? winding % 2 != 0 : winding > 0;
+      const bool isInside = stroke.isEvenOdd ? winding % 2 != 0 : winding != 0;
       const bool isKept = stroke.deed == BrushEdit::Deed::fill && solid.back();
       if (isInside && !isKept && std::ranges::none_of(stroke.staying, stays)) {
         solid.assign(solid.size(), false);

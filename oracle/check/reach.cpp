@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <iterator>
 
 namespace lgs::oracle {
 namespace {
@@ -58,6 +59,24 @@ bool covers(const BrushEdit& brush, const ScenePolygon& polygon) {
   });
 }
 
+// From whichever vertex they begin.
+bool isSameRing(const LocalPolygon& a, const LocalPolygon& b) {
+  LocalPolygon twice = a;
+  twice.insert(twice.end(), a.begin(), a.end());
+  return a.size() == b.size() && std::search(twice.begin(), twice.end(), b.begin(), b.end()) != twice.end();
+}
+
+// What comes out as it was keeps its handle, unless others may have been united with it, or the brush took it over.
+bool hasOtherHandle(const ScenePolygon& now, const BrushEdit& brush, const Brushed& done) {
+  if (brush.deed == BrushEdit::Deed::replace && now.block == brush.block) return false;
+  const auto isLike = [&](const auto& entry) {
+    return entry.second.cell == now.cell && entry.second.block == now.block;
+  };
+  const auto was = std::ranges::find_if(done.removed, isLike);
+  return was != done.removed.end() && std::find_if(std::next(was), done.removed.end(), isLike) == done.removed.end() &&
+         isSameRing(was->second.vertices, now.vertices);
+}
+
 }  // namespace
 
 bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
@@ -70,6 +89,10 @@ bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
 }
 
 std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
+  for (const Call& part : done.edits)
+    if (part.kind == Call::Kind::add && hasOtherHandle(part.polygon(), brush, done))
+      return fmt::format("a polygon of cell ({}, {}) is as it was, but for its handle", part.comes[0].cell.i,
+                         part.comes[0].cell.j);
   for (const Call& part : done.edits) {
     if (part.kind != Call::Kind::remove || std::ranges::find(done.rounded, part.name()) != done.rounded.end()) continue;
     if (!mayMeet(brush, done.removed.at(part.name())))

@@ -83,6 +83,13 @@ std::optional<WrongRead> readPolygons(const Player& player) {
   const Standing& model = player.standing();
   for (const auto& entry : model.cells())
     if (auto wrong = readCell(player.world(), model, entry.first)) return wrong;
+  for (const auto& entry : player.model().state().away)
+    for (const auto& [cell, there] : entry.second)
+      for (const Standing::Placed& placed : there) {
+        const auto none = player.world().polygon(placed.handle);
+        if (none || none.error().code != ErrorCode::unloaded || none.error().cell != cell)
+          return WrongRead{fmt::format("'{}' is not in memory, and its handle does not say so", placed.name)};
+      }
   const Stats stats = player.world().stats();
   const auto differs = [](const char* of, std::uint64_t actual, std::uint64_t expected) {
     return WrongRead{fmt::format("stats() counts {} {}, but there should be {}", actual, of, expected)};

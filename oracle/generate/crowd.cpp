@@ -43,11 +43,12 @@ class Crowder {
   }
 
   Trace run(Crowd of) {
-    of == Crowd::polygons ? fillWithPolygons() : fillWithVertices();
+    of == Crowd::vertices ? fillWithVertices() : fillWithPolygons();
     edits_.push_back(Call::commit());
     Trace trace;
     Model model;
     makeInForms(edits_, model, random_, [&](Call call) { trace.calls.push_back(std::move(call)); });
+    for (int k = 0; k < 4 && of == Crowd::strokes; ++k) trace.calls.push_back(cut());
     trace.mayRefuse = true;
     return trace;
   }
@@ -87,6 +88,15 @@ class Crowder {
     change();
     add(polygonIn(boxAt(at + 2), 3), 1);
     add(polygonIn(boxAt(at + 3), kMaxVerticesPerCell + 1), 1);
+  }
+
+  // A narrow stroke through all of the cell: it cuts some polygons in two.
+  Call cut() {
+    const auto at = [&](std::int32_t x) { return toWorld(cell_, {x, random_.below(kUnitsPerCell)}); };
+    const Point left = at(0), right = at(kUnitsPerCell);
+    return Call::byBrush({.deed = random_.chance(50) ? BrushEdit::Deed::carve : BrushEdit::Deed::replace,
+                          .block = 1,
+                          .rings = {{left, right, {right.x, right.y + 100}, {left.x, left.y + 100}}}});
   }
 
   // Commits, removes a polygon, or adds one where there is one already.

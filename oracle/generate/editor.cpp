@@ -183,11 +183,17 @@ void Editor::tryRefused(Cell cell) {
   if (near_.in(cell).empty()) return place(cell);
   const Standing::Placed pattern = random_.pick(near_.in(cell));
   LocalPolygon polygon = pattern.vertices;  // as it is: overlaps itself
-  const int kind = random_.below(10);
+  const int kind = random_.below(11);
   if (kind == 0) polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
   if (kind == 1) polygon = random_.pick(random_.pick(habits_.shapes));
   const bool isSpoilt = kind > 2;
-  if (isSpoilt) polygon = spoilt(random_, std::move(polygon));
+  if (kind == 10) {  // an edge that folds back
+    const std::size_t k = random_.below(polygon.size()), next = (k + 1) % polygon.size();
+    const LocalPoint a = polygon[k], b = polygon[next];
+    polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(next + 1), {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  } else if (isSpoilt) {
+    polygon = spoilt(random_, std::move(polygon));
+  }
   const Block block = random_.pick(habits_.blocks);
   if (isSpoilt && random_.chance(50)) removeNamed(pattern.name);
   Call add = Call::add(freshName(), {cell, block, std::move(polygon)});

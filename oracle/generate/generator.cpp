@@ -104,10 +104,15 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   const auto height =
       static_cast<std::int32_t>(std::min<std::int64_t>(isLow ? std::min(options.height, 3) : options.height, most));
   Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
-  if (options.isOfCalls && random.chance(40))  // across the corner of four chunks, which may leave memory
+  const bool isAtCorner = options.isOfCalls && random.chance(40);
+  if (isAtCorner)  // of four chunks, which may leave memory
     origin = {32 * (random.below(5) - 2) - width / 2, 32 * (random.below(5) - 2) - height / 2};
   origin = {within(options.can.cells, width, origin.i), within(options.can.cells, height, origin.j)};
   habits.cells = grid(origin, width, height);
+  if (isAtCorner && random.chance(45)) {  // all of it at the corner itself
+    const Cell corner{origin.i + width / 2, origin.j + height / 2};
+    habits.cells = grid({corner.i - 1, corner.j - 1}, 2, 2);
+  }
   habits.wander = random.chance(20);
   habits.place = 4 + random.below(10);
   habits.fill = random.below(3);
@@ -156,7 +161,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     for (const Block a : habits.blocks)
       for (const Block b : habits.blocks)
         if (a != b) start.preserve.add(a, b);
-  if (options.isOfCalls && random.chance(30)) {
+  if (options.isOfCalls && random.chance(40)) {
     Call follow = Call::of(Call::Kind::follow);
     follow.nth = 1;
     start.calls.push_back(std::move(follow));
@@ -187,18 +192,20 @@ Trace caseOf(std::span<const std::uint8_t> bytes, const GeneratorOptions& option
   return editor.takeTrace();
 }
 
-Crowd crowdOf(std::uint64_t number) {
+Crowd crowdOf(std::uint64_t number, const GeneratorOptions& options) {
+  if (!options.crowds) return Crowd::none;
+  if (options.brushes && number % 256 == 5) return Crowd::strokes;
   if (number % 256 == 7) return Crowd::polygons;
   return number % 1024 == 23 ? Crowd::vertices : Crowd::none;  // they take longest
 }
 
 std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options) {
-  const bool isCrowded = options.crowds && crowdOf(number) != Crowd::none;
+  const bool isCrowded = crowdOf(number, options) != Crowd::none;
   return isCrowded ? std::max(options.edits, kCrowdedEdits) : options.edits;
 }
 
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed) {
-  const Crowd crowd = options.crowds ? crowdOf(number) : Crowd::none;
+  const Crowd crowd = crowdOf(number, options);
   return crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
 }
 

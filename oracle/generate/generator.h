@@ -38,13 +38,14 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed);
 Trace caseOf(std::span<const std::uint8_t> bytes, const GeneratorOptions& options);
 inline constexpr std::size_t kRecord = 16;
 
-/// A case about the limits of <lgs/world.h>: it fills a cell until no polygon, or no vertex, may be added.
-enum class Crowd : std::uint8_t { none, polygons, vertices };
+/// A case about the limits of <lgs/world.h>: it fills a cell until no polygon, or no vertex, may be added; or until a
+/// stroke that cuts some would leave too many.
+enum class Crowd : std::uint8_t { none, polygons, vertices, strokes };
 Trace crowdedCase(Crowd of, std::size_t edits, std::uint64_t seed);
 inline constexpr std::size_t kCrowdedEdits = 300;  ///< enough for any
 
 /// In a row of cases, some are crowded: those with certain numbers.
-Crowd crowdOf(std::uint64_t number);
+Crowd crowdOf(std::uint64_t number, const GeneratorOptions& options);
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed);
 
 /// How many edits the case with this number has: as many as asked for, unless it is crowded.

@@ -12,14 +12,14 @@
 namespace lgs::oracle {
 namespace {
 
-constexpr std::array<std::int64_t, 6> kSteps{1, 5, 37, 977, 8'192, 10'007};
+constexpr std::array<std::int64_t, 7> kSteps{1, 1, 5, 37, 977, 8'192, 10'007};
 
 class Painter {
  public:
   Painter(Cell cell, const StrokeHabits& habits, Random& random) : cell_(cell), habits_(habits), random_(random) {}
 
   std::vector<Call> stroke() {
-    if (!habits_.can.regions && random_.chance(8)) return onSolidGround();
+    if (!habits_.can.regions && random_.chance(habits_.tight ? 20 : 8)) return onSolidGround();
     if (!habits_.can.regions && random_.chance(8)) return beside();
     constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
     BrushEdit brush;
@@ -41,6 +41,8 @@ class Painter {
     std::vector<Call> calls;
     if (!brush.isEvenOdd) {
       brush.rings = std::move(parts);
+      if (random_.chance(20))
+        for (Ring& ring : brush.rings) std::ranges::reverse(ring);
       return {Call::byBrush(std::move(brush))};
     }
     for (Ring& ring : parts) {
@@ -80,12 +82,16 @@ class Painter {
     }
     const Point min = toWorld(gone.cells.min, {0, 0}), max = toWorld(gone.cells.max, {kEnd, kEnd});
     std::vector<Call> calls{std::move(gone), std::move(many)};
-    for (int k = random_.between(1, 3); k > 0; --k) {
-      BrushEdit brush{.deed = BrushEdit::Deed::carve,
-                      .rings = random_.chance(30) ? wholeCells(place()).rings : rings()};
-      for (Ring& ring : brush.rings)
+    const auto inside = [&] {
+      std::vector<Ring> all = random_.chance(30) ? wholeCells(place()).rings : rings();
+      for (Ring& ring : all)
         for (Point& p : ring) p = {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
+      return all;
+    };
+    for (int k = random_.between(1, 3); k > 0; --k) {
+      BrushEdit brush{.deed = BrushEdit::Deed::carve, .rings = inside()};
       if (isOneBlock) calls.push_back(Call::byBrush(brush));
+      if (random_.chance(30)) brush.rings = inside();
       brush.deed = isOneBlock || random_.chance(40) ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
       brush.block = isOneBlock ? block : any();
       calls.push_back(Call::byBrush(std::move(brush)));
@@ -132,7 +138,7 @@ class Painter {
       const auto crossing = crossingOf(ends);
       if (crossing && isLeft(a, b, *crossing) && isLeft(b, c, *crossing) && isLeft(c, a, *crossing)) break;
     }
-    BrushEdit brush{.deed = random_.chance(70) ? BrushEdit::Deed::fill : BrushEdit::Deed::carve};
+    BrushEdit brush{.deed = random_.chance(70) ? BrushEdit::Deed::fill : BrushEdit::Deed::carve, .rings = {}};
     if (brush.deed == BrushEdit::Deed::fill) brush.block = any();
     const std::int64_t far = between(1, 30) * (random_.chance(80) ? 1 : -1);
     for (const std::size_t first : {0U, 2U})

@@ -82,7 +82,10 @@ void Editor::travel(Cell cell) {
         time(commit);
       }
       time(goBack, nth, true);
-      if (random_.chance(30)) time(goBack, random_.below(8U), true);
+      if (random_.chance(40)) {  // what is ahead stays, or goes
+        const bool goesOn = random_.chance(50);
+        time(goBack, random_.below(8U), goesOn);
+      }
       if (random_.chance(30)) someEdits(1);
       if (habits_.memory > 0 && random_.chance(40)) turn(random_.chance(50) ? unload : reload, cell);
       if (random_.chance(30)) time(commit);
@@ -99,11 +102,24 @@ void Editor::turn(Call::Kind kind, Cell cell) {
   const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
   call.cells = {{inside(cell.i & ~31), inside(cell.j & ~31)},
                 {inside((cell.i & ~31) + 31 + wide), inside((cell.j & ~31) + 31 + high)}};
-  if (random_.chance(20)) call.cells.min = {inside(call.cells.min.i - 64), inside(call.cells.min.j - 64)};
+  if (random_.chance(20)) {
+    call.cells = {{inside(call.cells.min.i - 64), inside(call.cells.min.j - 64)},
+                  {inside(call.cells.max.i + 64), inside(call.cells.max.j + 64)}};
+  }
   if (random_.chance(5)) ++call.cells.min.i;  // not all of them
   call.nth = random_.below(2U);
   make(tidied(std::move(call)));
 }
+
+namespace {
+
+Call squareAt(Cell cell) {
+  Call call = Call::of(Call::Kind::addShape);
+  call.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
+  return call;
+}
+
+}  // namespace
 
 void Editor::remember(Cell cell) {
   using enum Call::Kind;
@@ -113,20 +129,54 @@ void Editor::remember(Cell cell) {
   const auto forgetMarks = [&] {  // while there are some nothing is forgotten
     while (model_.hasMarks() && random_.chance(95)) make(Call::of(forget));
   };
+  const auto edit = [&] {
+    Call gone = Call::of(clear);
+    gone.cells = {cell, cell};
+    make(random_.chance(50) ? std::move(gone) : squareAt(cell));
+  };
+  const auto goBackToLast = [&] {
+    Call back = Call::of(goBack);
+    back.nth = static_cast<std::uint32_t>(model_.marks()) - 1;
+    make(std::move(back));
+  };
   switch (random_.below(12)) {
     case 0:
     case 1:
-    case 2:
       return turn(unload, cell);
+    case 2:
     case 3:
-    case 4:
       return turn(reload, cell);
-    case 5:
-      return turn(reloadEmpty, cell);
-    case 6:
-      forgetMarks();
+    case 4:
+    case 5: {  // given up: it comes back empty, is edited, leaves and comes back again
+      const bool isMarked = random_.chance(40);
+      if (isMarked) make(Call::of(mark));
+      if (random_.chance(40)) edit();
+      if (random_.chance(60)) turn(unload, cell);
+      if (random_.chance(30)) make(Call::commit());
+      turn(reloadEmpty, cell);
+      if (random_.chance(40)) {
+        if (!isMarked) make(Call::of(mark));
+        goBackToLast();
+      }
+      if (random_.chance(60)) make(squareAt(cell));
       commits();
-      return turn(leave, cell);
+      if (random_.chance(60)) return;
+      turn(unload, cell);
+      commits();
+      return turn(reload, cell);
+    }
+    case 6: {  // an empty chunk goes, and another one gets its number
+      forgetMarks();
+      Call gone = Call::of(clear);
+      gone.cells = Model::cellsOfChunk(Model::chunkOf(cell));
+      gone.cells = {{std::max(gone.cells.min.i, -kMaxCell), std::max(gone.cells.min.j, -kMaxCell)},
+                    {std::min(gone.cells.max.i, kMaxCell), std::min(gone.cells.max.j, kMaxCell)}};
+      if (random_.chance(50)) make(std::move(gone));
+      commits();
+      turn(leave, cell);
+      if (random_.chance(40)) make(Call::of(load));
+      return random_.chance(60) ? make(squareAt(cell)) : void();
+    }
     case 7: {  // all of it sleeps, and some of it wakes
       forgetMarks();
       Call all = Call::of(unload);
@@ -140,11 +190,10 @@ void Editor::remember(Cell cell) {
     }
     case 8:
     case 9: {  // so much comes and goes that a cell needs a list
-      Call call = Call::of(repeat), square = Call::of(addShape), gone = Call::of(clear);
-      square.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
+      Call call = Call::of(repeat), gone = Call::of(clear);
       gone.cells = {cell, cell};
       call.nth = 250U + random_.below(16U);
-      call.group = {square, gone};
+      call.group = {squareAt(cell), gone};
       if (near_.in(cell).empty()) make(std::move(call));
       return;
     }
@@ -161,7 +210,13 @@ void Editor::remember(Cell cell) {
       commits();
       return turn(reload, cell);
     }
-    default:  // leaves a place, and what was unloaded there
+    default:                     // leaves a place, and what was unloaded there
+      if (random_.chance(40)) {  // of which the bytes do not say what was undone since
+        make(Call::of(mark));
+        edit();
+        turn(unload, cell);
+        goBackToLast();
+      }
       forgetMarks();
       turn(unload, cell);
       make(Call::commit());

@@ -3,11 +3,21 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
 
 bool isOutside(LocalPoint p) { return p.x < 0 || p.x > kUnitsPerCell || p.y < 0 || p.y > kUnitsPerCell; }
+
+// The first edge that meets another one, and the first of these after it.
+std::pair<std::size_t, std::size_t> firstThatMeet(const LocalPolygon& polygon) {
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n + (i + 1) / n; ++j)
+      if (edgesMeet(polygon, i, j % n) && (i != 0 || j + 1 != n)) return {i, j % n};
+  return {n, n};
+}
 
 bool areVerticesToBlame(const Error& error, const LocalPolygon& polygon) {
   const auto exists = [&](std::int32_t k) { return k >= 0 && static_cast<std::size_t>(k) < polygon.size(); };
@@ -28,7 +38,8 @@ bool areVerticesToBlame(const Error& error, const LocalPolygon& polygon) {
     case ErrorCode::repeatedVertex:
       return exists(a) && exists(b) && firstLike(b) == a && a != b && !hasRepeatBefore(b);
     case ErrorCode::selfIntersecting:
-      return exists(a) && exists(b) && edgesMeet(polygon, static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+      return exists(a) && exists(b) &&
+             std::pair(static_cast<std::size_t>(a), static_cast<std::size_t>(b)) == firstThatMeet(polygon);
     default:  // no vertex is to blame
       return a == -1 && b == -1;
   }

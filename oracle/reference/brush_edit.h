@@ -14,8 +14,8 @@ struct BrushEdit {
   Deed deed = Deed::carve;
   Block block = 0;
   std::vector<std::vector<Point>> rings;
-  /// Inside is where the rings run around an odd number of times. Otherwise all rings must be simple and
-  /// counter-clockwise, and are united.
+  /// Inside is where the rings run around an odd number of times. Otherwise it is wherever they run around: simple rings
+  /// that run the same way are united.
   bool isEvenOdd = true;
   std::vector<Block> staying = {};  ///< blocks that the brush goes around
   friend bool operator==(const BrushEdit&, const BrushEdit&) = default;

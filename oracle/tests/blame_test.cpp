@@ -39,20 +39,19 @@ TEST(FuzzBlame, TheFirstVertexThatRepeatsAnother) {
   EXPECT_EQ(allowed(ErrorCode::repeatedVertex, {{0, 0}, {8, 0}, {0, 0}, {8, 8}, {8, 0}}), (Pairs{{0, 2}}));
 }
 
-TEST(FuzzBlame, EdgesThatCross) {
-  EXPECT_EQ(allowed(ErrorCode::selfIntersecting, {{0, 0}, {8, 0}, {1, 4}, {8, 8}}), (Pairs{{1, 3}, {3, 1}}));
+TEST(FuzzBlame, TheFirstEdgesThatCross) {
+  EXPECT_EQ(allowed(ErrorCode::selfIntersecting, {{0, 0}, {8, 0}, {1, 4}, {8, 8}}), (Pairs{{1, 3}}));
 }
 
 // The vertex (4, 0) is on the edge from vertex 0, and both its edges touch that one.
 TEST(FuzzBlame, EdgesThatTouch) {
-  EXPECT_EQ(allowed(ErrorCode::selfIntersecting, {{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}),
-            (Pairs{{0, 2}, {2, 0}, {0, 3}, {3, 0}}));
+  EXPECT_EQ(allowed(ErrorCode::selfIntersecting, {{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}), (Pairs{{0, 2}}));
 }
 
 // Edge 1 runs back on edge 0, and edge 2 leaves in the midst of it.
 TEST(FuzzBlame, EdgesThatFoldBack) {
-  EXPECT_EQ(allowed(ErrorCode::selfIntersecting, {{0, 0}, {9, 0}, {5, 0}, {5, 5}}),
-            (Pairs{{0, 1}, {1, 0}, {0, 2}, {2, 0}}));
+  EXPECT_EQ(allowed(ErrorCode::selfIntersecting, {{0, 0}, {9, 0}, {5, 0}, {5, 5}}), (Pairs{{0, 1}}));
+  EXPECT_EQ(allowed(ErrorCode::selfIntersecting, {{5, 0}, {5, 5}, {0, 0}, {9, 0}}), (Pairs{{0, 2}}));
 }
 
 TEST(FuzzBlame, NoEdgesOfASimplePolygon) { EXPECT_EQ(allowed(ErrorCode::selfIntersecting, kTriangle), Pairs{}); }

@@ -1,5 +1,6 @@
-// Which polygons a brush may meet, and which of its changes are blamed on it (law 9).
+// Which polygons a brush may meet, which of its changes are blamed on it (law 9), and where it cuts rims (law 10).
 #include "oracle/check/reach.h"
+#include "oracle/check/rims.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -65,8 +66,10 @@ TEST(CheckReach, OfSeveralRings) {
 
 TEST(CheckReach, BlamesWhatIsNeitherReachedNorBent) {
   Brushed done;
-  done.edits = {Call::remove("a"), Call::add("b", kSquare)};
+  done.edits = {Call::remove("a"), Call::add("b", {{0, 0}, 1, test::eighths({{6, 2}, {6, 6}, {2, 6}, {2, 2}})})};
   done.removed["a"] = kSquare;
+  EXPECT_EQ(wrongReach(brush({box(5, 5, 8, 8)}), done), "a polygon of cell (0, 0) is as it was, but for its handle");
+  done.edits[1].comes[0].shape[0][0].x -= 1;
   EXPECT_EQ(wrongReach(brush({box(7, 7, 8, 8)}), done), "'a' has changed, but is not reached");
   EXPECT_EQ(wrongReach(brush({box(5, 5, 8, 8)}), done), "");
   done.rounded = {"a"};
@@ -77,6 +80,26 @@ TEST(CheckReach, BlamesWhatIsNeitherReachedNorBent) {
   EXPECT_EQ(wrongReach(brush({box(5, 6, 7, 8)}), done), "") << "one is on the edge";
   over.staying = {1};
   EXPECT_EQ(wrongReach(over, done), "");
+}
+
+// An edge of the region crosses the line between two full cells a third of a unit below 3,001.
+TEST(CheckRims, AreCutWhereTheRegionCrosses) {
+  const auto edgeAt = [](std::int64_t x, std::int64_t y) { return Point{U + x, 3'000 + y}; };
+  const BrushEdit stroke{.rings = {{edgeAt(-30, -10), edgeAt(15, 6), edgeAt(-20, 900)}}};
+  const Scene full{{{{0, 0}, 1, test::unitSquare()}, {{1, 0}, 1, test::unitSquare()}}, {}};
+  const auto isWrong = [&](std::int32_t y, Scene before) {
+    const Scene after{{{{0, 0}, 1, {{0, 0}, {U, 0}, {U, y}, {U - 30, 2'990}}}}, {}};
+    return !wrongRim(stroke, before, after).empty();
+  };
+  EXPECT_FALSE(isWrong(3'001, full));
+  EXPECT_TRUE(isWrong(3'000, full));
+  EXPECT_TRUE(isWrong(3'002, full));
+  EXPECT_FALSE(isWrong(U, full)) << "a corner was there";
+  Scene other = full;
+  other.polygons.push_back({{0, 0}, 1, {{0, 2'999}, {U, 3'002}, {0, 4'000}}});
+  EXPECT_FALSE(isWrong(3'002, other)) << "a vertex was there";
+  other.polygons.back().vertices[1] = {U - 1, 3'002};
+  EXPECT_FALSE(isWrong(3'002, other)) << "another edge comes near";
 }
 
 }  // namespace

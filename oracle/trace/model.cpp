@@ -111,6 +111,7 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
     case Kind::leave:
       for (const Cell chunk : leaving(call.cells)) {
         if (stays(chunk, world)) continue;
+        hasForgotten_ = true;
         now_.chunks.erase(chunk);
         now_.away.erase(chunk);
       }

@@ -79,9 +79,10 @@ class Model {
   bool hasMarks() const { return timeline_.hasMarks(); }
   std::size_t marks() const { return timeline_.marks(); }
   bool hasAhead() const { return timeline_.hasAhead(); }
-  /// Of the unloaded chunks that forgetChunks() takes, those that it takes only if no edit of them was undone or redone
-  /// since they left.
-  std::size_t mayStay(const CellRect& cells) const;
+  /// Whether what an unloaded chunk holds is not what its bytes say, because edits of it were undone or redone since.
+  enum class Owed : std::uint8_t { no, maybe, sure };
+  /// Of the unloaded chunks that forgetChunks() would take, those that therefore stay.
+  std::size_t owing(const CellRect& cells, Owed least) const;
 
   static Cell chunkOf(Cell cell) { return {cell.i >> 5, cell.j >> 5}; }
   static CellRect cellsOfChunk(Cell chunk) {
@@ -127,6 +128,7 @@ class Model {
   void reload(Cell corner, const World* world);
   bool isBesideLoaded(Cell chunk, const std::set<Cell>& gone = {}) const;
   std::vector<Cell> leaving(const CellRect& cells) const;
+  Owed owed(Cell chunk) const;
   bool stays(Cell chunk, const World* world) const;
   void takeAway(Cell chunk);
   void bringBack(const Content& content);
@@ -137,7 +139,8 @@ class Model {
   State now_;
   Timeline<State> timeline_;
   std::map<Cell, std::vector<Content>> shelf_;  // what chunks were unloaded as
-  std::set<Cell> owed_;                         // unloaded ones that may hold something else since
+  std::map<Cell, Owed> owed_;                   // unloaded ones that the world went back or forward over since
+  bool hasForgotten_ = false;                   // chunks: their handles may be given again
   std::uint64_t names_ = 0;
 };
 

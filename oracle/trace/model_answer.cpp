@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace lgs::oracle {
 
@@ -17,21 +18,30 @@ std::string cellInWords(Cell cell) {
   return cell == Error::kNoCell ? "no cell" : fmt::format("({}, {})", cell.i, cell.j);
 }
 
-// The polygon of the error is one that comes, and overlaps another one that comes or the one that stands there.
+// It names the first polygon of those that come that overlaps one before it, and of those the one that came first.
 std::string wrongOverlap(const Error& error, const Call& call, const World& world) {
   if (call.kind == Kind::addMany && error.index2 >= 0) return "";  // with another entry's, which has no handle
   Shape comes;
   for (const Coming& coming : call.comes) comes.insert(comes.end(), coming.shape.begin(), coming.shape.end());
   if (call.kind == Kind::addMany) comes = call.comes[static_cast<std::size_t>(error.index)].shape;
-  const auto known = [&](std::int32_t k) { return k >= 0 && static_cast<std::size_t>(k) < comes.size(); };
-  if (!known(error.polygon)) return "does not say which polygon";
-  const LocalPolygon& polygon = comes[static_cast<std::size_t>(error.polygon)];
-  if (known(error.polygon2))
-    return overlap(polygon, comes[static_cast<std::size_t>(error.polygon2)]) ? "" : "names what does not overlap";
-  const auto other = world.polygon(error.other);
-  if (!other || world.cellOf(error.other) != error.cell) return "names a polygon that is not in the cell";
-  if (other->block != error.otherBlock) return "names another block than that of the polygon";
-  return overlap(polygon, {other->vertices.begin(), other->vertices.end()}) ? "" : "names what does not overlap";
+  std::vector<PlacedPolygon> there = world.polygons(error.cell);
+  std::erase_if(there, [&](const PlacedPolygon& p) {
+    return std::ranges::any_of(call.goes, [&](const Named& named) { return named.handle == p.handle; });
+  });
+  std::ranges::sort(there, {}, [](const PlacedPolygon& p) { return p.handle.serial; });
+  const auto blames = [&](std::size_t polygon, std::int32_t polygon2, PolygonHandle other, Block block) {
+    return std::tuple(error.polygon, error.polygon2, error.other, error.otherBlock) ==
+                   std::tuple(static_cast<std::int32_t>(polygon), polygon2, other, block)
+               ? ""
+               : "names another overlap than that of the first polygon, with the oldest one";
+  };
+  for (std::size_t k = 0; k < comes.size(); ++k) {
+    for (const PlacedPolygon& p : there)
+      if (overlap(comes[k], {p.vertices.begin(), p.vertices.end()})) return blames(k, -1, p.handle, p.block);
+    for (std::size_t l = 0; l < k; ++l)
+      if (overlap(comes[k], comes[l])) return blames(k, static_cast<std::int32_t>(l), {}, 0);
+  }
+  return "names an overlap, and there is none";
 }
 
 // What the refusal of a call that brings one polygon says of that.
@@ -81,11 +91,18 @@ std::string Model::wrongAnswer(const Call& call, const Verdict& verdict, const O
   return isAmongPlaced ? wrongOverlap(error, call, world) : "";
 }
 
-// New ones, as many as come; and those that are told are these.
+// New ones that name nothing yet, as many as come, none twice while no chunk was forgotten; and those that are told are
+// these.
 std::string Model::wrongHandles(const Call& call, const Outcome& outcome) const {
   const std::vector<PolygonHandle>& handles = outcome.handles;
   if (std::ranges::any_of(handles, [&](PolygonHandle h) { return standing().nameOf(h) != nullptr; }))
     return "gives the handle of another polygon";
+  constexpr std::ptrdiff_t kRecent = 256;
+  const auto recent = now_.given.end() - std::min(kRecent, std::ssize(now_.given));
+  if (!hasForgotten_ && std::any_of(recent, now_.given.end(), [&](const Given& given) {
+        return given.handle && std::ranges::find(handles, given.handle) != handles.end();
+      }))
+    return "gives a handle again";
   std::vector<PolygonHandle> told = handles;
   if (call.kind == Kind::addMany) {
     told.clear();
@@ -125,7 +142,9 @@ std::string Model::wrongChunks(const Call& call, const Outcome& outcome) const {
     return expected == std::set(outcome.chunks.begin(), outcome.chunks.end()) ? "" : "other chunks come back";
   }
   if (call.kind == Kind::reloadEmpty) return counts(isEmpty(call.cells) ? 0 : chunksWithin(call.cells, false).size());
-  return call.kind == Kind::leave ? counts(leaving(call.cells).size(), mayStay(call.cells)) : "";
+  if (call.kind != Kind::leave) return "";
+  const std::size_t stay = owing(call.cells, Owed::sure);
+  return counts(leaving(call.cells).size() - stay, owing(call.cells, Owed::maybe) - stay);
 }
 
 }  // namespace lgs::oracle

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace lgs::oracle {
 
@@ -17,6 +18,16 @@ bool isWithin(const CellRect& cells, Cell chunk) {
     return min <= std::max<std::int64_t>(32 * k, -kMaxCell) && std::min<std::int64_t>(32 * k + 31, kMaxCell) <= max;
   };
   return fits(chunk.i, cells.min.i, cells.max.i) && fits(chunk.j, cells.min.j, cells.max.j);
+}
+
+// But for names, which may have been given again.
+bool isSame(const Model::Content& a, const Model::Content& b) {
+  const auto areAlike = [](const Standing::Placed& p, const Standing::Placed& q) {
+    return std::tie(p.handle, p.block, p.vertices) == std::tie(q.handle, q.block, q.vertices);
+  };
+  return std::ranges::equal(a, b, [&](const auto& one, const auto& other) {
+    return one.first == other.first && std::ranges::equal(one.second, other.second, areAlike);
+  });
 }
 
 }  // namespace
@@ -66,20 +77,20 @@ void Model::unload(const CellRect& cells) {
 // Being in memory is no edit: what there is becomes what there was, and what is away stays away. A chunk that is away,
 // and was not there yet, was there at all times, and held nothing.
 void Model::goTo(State state) {
-  const std::set<Cell> away = chunksAway();
+  const std::map<Cell, Content> away = now_.away;
   const bool wasPending = now_.pending != Pending::no;  // chunks may have come or gone
   now_ = std::move(state);
   if (wasPending) isPending(Pending::maybe);
   for (const auto& entry : std::exchange(now_.away, {})) bringBack(entry.second);
-  for (const Cell chunk : away) {
+  for (const auto& [chunk, before] : away) {
     takeAway(chunk);
-    owed_.insert(chunk);
+    owed_[chunk] = std::max(owed(chunk), isSame(now_.away.at(chunk), before) ? Owed::maybe : Owed::sure);
     if (!now_.chunks.insert(chunk).second) continue;
     timeline_.forEach([&](State& other) { other.chunks.insert(chunk); });
   }
   now_.alone.clear();
-  for (const Cell chunk : away)
-    if (!isBesideLoaded(chunk)) now_.alone.insert(chunk);
+  for (const auto& entry : away)
+    if (!isBesideLoaded(entry.first)) now_.alone.insert(entry.first);
 }
 
 std::set<Cell> Model::chunksAway() const {
@@ -145,16 +156,21 @@ std::vector<Cell> Model::leaving(const CellRect& cells) const {
   return gone;
 }
 
-std::size_t Model::mayStay(const CellRect& cells) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(leaving(cells), [&](Cell chunk) { return stays(chunk, nullptr); }));
+Model::Owed Model::owed(Cell chunk) const {
+  const auto found = owed_.find(chunk);
+  return found == owed_.end() ? Owed::no : found->second;
+}
+
+std::size_t Model::owing(const CellRect& cells, Owed least) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      leaving(cells), [&](Cell chunk) { return now_.away.contains(chunk) && owed(chunk) >= least; }));
 }
 
 // An undo may have changed nothing: the engine knows.
 bool Model::stays(Cell chunk, const World* world) const {
-  if (!now_.away.contains(chunk) || !owed_.contains(chunk)) return false;
+  if (!now_.away.contains(chunk) || owed(chunk) == Owed::no) return false;
   const Cell corner = cellsOfChunk(chunk).min;
-  return world == nullptr || world->firstUnloaded({corner, corner});
+  return owed(chunk) == Owed::sure || world == nullptr || world->firstUnloaded({corner, corner});
 }
 
 }  // namespace lgs::oracle

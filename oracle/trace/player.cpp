@@ -131,7 +131,7 @@ Player::Done Player::makeCall(const Judged& judged) {
     if (!isDone || !isOfMemory(call.kind)) moments_.happened(Redo::maybe);
     hasLeft_ = hasLeft_ || !isDone;
   }
-  if (call.kind == Kind::leave && isDone && model_.mayStay(call.cells) != 0) isOfOnePast_ = false;
+  if (call.kind == Kind::leave && isDone && model_.owing(call.cells, Model::Owed::maybe) != 0) isOfOnePast_ = false;
   if (call.kind == Kind::reloadEmpty && model_.hasMarks() && outcome.count != 0) isOfOnePast_ = false;
   hasStreamed_ = hasStreamed_ || isOfMemory(call.kind);
   if (isDone) {

@@ -94,19 +94,6 @@ TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {
   EXPECT_EQ(world.stats().polygons, 0U);
 }
 
-TEST(Brush, AHoleCarvedIntoABlockIsTold) {
-  World world;
-  const PolygonHandle block = *world.add({0, 0}, kUnitSquare, 7);
-  const auto carved = must(carve(world, box({100, 100}, {200, 200})));
-  ASSERT_EQ(carved.changed.size(), 1U);
-  EXPECT_EQ(carved.changed[0].old, block);
-  EXPECT_EQ(carved.changed[0].now.size(), 2U) << "the hole is cut open";
-  EXPECT_TRUE(carved.rounded.empty()) << "it was met";
-  EXPECT_EQ(world.at({150, 150}).where, Spot::Where::outside);
-  must(paint(world, box({100, 100}, {200, 200}), 7, PaintMode::fill));
-  EXPECT_EQ(world.stats().polygons, 1U) << "equal blocks are united again";
-}
-
 // The part above the hole has nothing of the old outline on its right: chords alone.
 TEST(Brush, APartBetweenChordsIsToldAsAPartOfItsPolygon) {
   World world;
@@ -121,16 +108,6 @@ TEST(Brush, APartBetweenChordsIsToldAsAPartOfItsPolygon) {
   const BrushResult painted = paint(world, hole, 1, PaintMode::fill).value();
   ASSERT_EQ(painted.changed.size(), 2U);
   EXPECT_EQ(painted.changed[0].now, painted.changed[1].now);
-}
-
-TEST(Brush, APolygonThatComesOutAsItWasKeepsItsHandle) {
-  World world;
-  const PolygonHandle below = *world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1);
-  const auto painted = paint(world, box({100, 300}, {200, 400}), 2, PaintMode::fill);  // stands on it
-  ASSERT_TRUE(painted.has_value());
-  EXPECT_EQ(painted->added.size(), 1U);
-  EXPECT_TRUE(painted->changed.empty());
-  EXPECT_TRUE(world.polygon(below).has_value());
 }
 
 /// Plays strokes, and returns how many polygons the last one bends that it should have kept.
@@ -163,47 +140,6 @@ TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
                                             {Deed::fill, 3, {{{65527, 65530}, {65524, 65524}, {65537, 65527}}}, false},
                                             {Deed::replace, 1, {{{65524, 65524}, {65524, 65525}, {65525, 65524}}}}}),
             0U);
-}
-
-TEST(Brush, APolygonThatCanNotStayIsToldAsBent) {
-  EXPECT_EQ(bentByTheLast(Ground::slanted, {{Deed::carve, 1, {{{65528, 65526}, {65524, 65524}, {65524, 65525}}}},
-                                            {Deed::carve, 1, {{{65527, 65524}, {65529, 65526}, {65526, 65524}}}}}),
-            1U);
-}
-
-// Where the region meets a line between cells, what closes it there is rounded, and may reach farther than its edges.
-TEST(Brush, APolygonAtARoundedRimPointStays) {
-  World world = worldOf(Ground::slanted);
-  ASSERT_TRUE(stroke(world, {Deed::replace, 1, {{{65571, 65556}, {65511, 65506}, {65561, 65541}}}, false}).has_value());
-  const auto before = standingIn(world);
-  const auto beside = std::ranges::find_if(before, [](const auto& p) {
-    return p.second.cell == Cell{1, 1} && p.second.vertices.front() == LocalPoint{11, 0};
-  });
-  ASSERT_NE(beside, before.end());
-  ASSERT_TRUE(stroke(world, {Deed::replace,
-                             1,
-                             {{{65476, 65476}, {65496, 65481}, {65556, 65546}},
-                              {{65571, 65546}, {65476, 65486}, {65476, 65476}},
-                              {{65476, 65476}, {65546, 65536}, {65476, 65536}}},
-                             false})
-                  .has_value());
-  EXPECT_TRUE(world.polygon(beside->first).has_value());
-}
-
-TEST(Brush, APolygonThatIsDrawnFromAnotherCornerKeepsItsHandle) {
-  World world;
-  const std::vector<LocalPoint> plain{{0, 0}, {900, 0}, {900, 300}, {0, 300}};
-  for (std::size_t first = 0; first < plain.size(); ++first) {
-    std::vector<LocalPoint> turned = plain;
-    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
-    const Cell cell{static_cast<std::int32_t>(first), 0};
-    const PolygonHandle below = *world.add(cell, turned, 1);
-    const std::int64_t x = cell.i * kCell;
-    const auto painted = paint(world, box({x + 100, 300}, {x + 200, 400}), 2, PaintMode::fill);  // stands on it
-    ASSERT_TRUE(painted.has_value());
-    EXPECT_TRUE(painted->changed.empty());
-    EXPECT_TRUE(world.polygon(below).has_value());
-  }
 }
 
 TEST(Brush, FarFromTheOriginAndLarge) {

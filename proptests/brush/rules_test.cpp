@@ -19,24 +19,6 @@ Ring reversed(Ring ring) {
   return ring;
 }
 
-bool isSolid(const World& world, Point p) { return world.at(p).where == Spot::Where::inside; }
-
-TEST(BrushRules, RingsMayRunEitherWayAround) {
-  const Ring outer = box({100, 100}, {900, 900}), inner = box({300, 300}, {500, 500});
-  for (const FillRule rule : {FillRule::nonZero, FillRule::evenOdd}) {
-    for (const auto& rings : {std::vector<Ring>{outer, inner},
-                              {reversed(outer), reversed(inner)},
-                              {reversed(outer), inner},
-                              {outer, reversed(inner)}}) {
-      World world;
-      ASSERT_TRUE(paint(world, {rings, rule}, 1, PaintMode::fill).has_value());
-      EXPECT_TRUE(isSolid(world, {200, 450}));
-      const bool isSame = (rings[0] == outer) == (rings[1] == inner);
-      EXPECT_EQ(isSolid(world, {400, 350}), rule == FillRule::nonZero && isSame);
-    }
-  }
-}
-
 TEST(BrushRules, VerticesMayBeRepeated) {
   World world;
   ASSERT_TRUE(
@@ -68,31 +50,6 @@ TEST(BrushRules, WholeCellsMayLieApart) {
     auto found = must(cellsOf(region));
     std::ranges::sort(found);
     EXPECT_EQ(found, cells);
-  }
-}
-
-TEST(BrushRules, AFillLeavesFullCellsAsTheyAre) {
-  World world;
-  const Region cells{{box({0, 0}, {2 * kCell, kCell})}};
-  const PolygonHandle stone = *world.add({0, 0}, kUnitSquare, 1);
-  const auto filled = must(paint(world, cells, 2, PaintMode::fill));
-  EXPECT_EQ(filled.added.size(), 1U);
-  EXPECT_TRUE(filled.changed.empty());
-  EXPECT_EQ(world.polygon(stone)->block, 1U);
-  const auto replaced = must(paint(world, cells, 2, PaintMode::replace));
-  ASSERT_EQ(replaced.changed.size(), 1U) << "the other cell has this block already";
-  EXPECT_EQ(replaced.changed[0].old, stone);
-}
-
-TEST(BrushRules, WhatAWholeCellLosesIsTold) {
-  for (const bool paints : {false, true}) {
-    World world;
-    const PolygonHandle left = *world.add({0, 0}, {{0, 0}, {9, 0}, {9, 9}}, 1);
-    const PolygonHandle right = *world.add({0, 0}, {{20, 0}, {29, 0}, {29, 9}}, 1);
-    const Region cell{{box({0, 0}, {kCell, kCell})}};
-    const auto result = must(paints ? paint(world, cell, 1, PaintMode::replace) : carve(world, cell));
-    EXPECT_EQ(result.removed, (std::vector{left, right}));
-    EXPECT_EQ(result.added.size(), paints ? 1U : 0U);
   }
 }
 

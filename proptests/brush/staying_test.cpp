@@ -101,38 +101,6 @@ constexpr std::int64_t kCellUnits = kUnitsPerCell;
 
 Region rect(Point min, Point max) { return {{{min, {max.x, min.y}, max, {min.x, max.y}}}}; }
 
-TEST(BrushStayingByHand, OreAndBedrockKeepTheirHandles) {
-  World world;
-  const PolygonHandle bedrock = *world.add({0, 0}, kUnitSquare, 9);
-  const PolygonHandle stone = *world.add({1, 0}, kUnitSquare, 1);
-  const PolygonHandle half = *world.add({2, 0}, {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}}, 1);
-  const PolygonHandle ore = *world.add({2, 0}, {{0, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}, 9);
-  const auto stays = [](Block block) { return block == 9; };
-  World dug = world;
-  const auto done = must(carve(dug, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), stays));
-  EXPECT_EQ(done.removed, (std::vector<PolygonHandle>{stone, half}));
-  EXPECT_TRUE(done.changed.empty() && done.added.empty());
-  EXPECT_TRUE(dug.polygon(bedrock) && dug.polygon(ore));
-
-  must(paint(world, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), 4, PaintMode::replace, stays));
-  EXPECT_EQ(world.polygon(bedrock)->block, 9U);
-  EXPECT_EQ(world.polygon(ore)->block, 9U);
-  EXPECT_EQ(world.polygon(stone)->block, 4U);
-  EXPECT_EQ(world.at({2 * kCellUnits + 3 * kCellUnits / 4, kCellUnits / 4}).block, 4U);
-}
-
-TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
-  World world;
-  const PolygonHandle bedrock = *world.add({0, 0}, kUnitSquare, 9);
-  const Region hole = circle({kCellUnits / 2, kCellUnits}, kCellUnits / 3, 16);
-  for (const bool carves : {true, false}) {
-    const auto stays = [](Block) { return true; };
-    const auto done = must(carves ? carve(world, hole, stays) : paint(world, hole, 3, PaintMode::replace, stays));
-    EXPECT_TRUE(done.removed.empty() && done.changed.empty());
-    EXPECT_TRUE(world.polygon(bedrock));
-  }
-}
-
 TEST(BrushRegionsByHand, WithoutSaysWhichRingWasRefused) {
   const Region region = rect({0, 0}, {3 * kCellUnits, kCellUnits}), far = rect({5, 5}, {kMaxCoordinate + 1, 9});
   const Region hole = rect({kCellUnits, 9}, {2 * kCellUnits, 90});

@@ -21,9 +21,10 @@ enum class ErrorCode : std::uint32_t {
   outsideCell,         ///< a vertex, once rounded, is not in the closed cell
   repeatedVertex,      ///< two vertices are the same lattice point; vertex2 is the first that repeats an earlier one
   zeroArea,            ///< the signed area is 0
-  selfIntersecting,    ///< two edges of one polygon cross, overlap, or touch
+  selfIntersecting,    ///< two edges of one polygon cross, overlap, or touch: the first two
   clockwise,           ///< the signed area is negative
-  overlap,             ///< the interior meets that of another polygon of the cell (or of the shape)
+  overlap,             ///< the interior meets that of another polygon of the cell (or of the shape); the first polygon
+                       ///< of the call that overlaps one before it is named, with the one that was placed first
   unknownShape,        ///< a ShapeId that this world did not make
   staleHandle,         ///< a PolygonHandle that is null, unknown, or whose polygon was removed
   unknownSegment,      ///< a SegmentId that names no live segment

@@ -11,6 +11,19 @@
 namespace lgs::oracle {
 namespace {
 
+// Where its last polygon was there is another one: it is not put there, nor is a part of it.
+std::string wrongRefusal(World world, const Body& body) {
+  const BodyPolygon& last = body.polygons.back();
+  const Cell cell{last.cell.i + body.origin.i, last.cell.j + body.origin.j};
+  if (!world.add(cell, std::span<const LocalPoint>(last.vertices), last.block)) return "what was taken is still there";
+  const World before = world;
+  const auto placed = put(world, body, body.origin);
+  if (placed || placed.error().code != ErrorCode::overlap || placed.error().index + 1 != std::ssize(body.polygons))
+    return "a body is put where something is in the way of its last polygon, or another one is blamed";
+  std::string left = differenceOf(before, world);
+  return left.empty() ? "" : "a body that does not fit leaves " + left;
+}
+
 std::string wrongBody(const World& world, const Scene& scene, std::size_t which) {
   World copy = world;
   const Islands islands(copy);
@@ -35,6 +48,7 @@ std::string wrongBody(const World& world, const Scene& scene, std::size_t which)
   });
   if (!areAlike(stay, left)) return "an island that was taken leaves something, or takes more along";
   copy.commit();
+  if (std::string wrong = wrongRefusal(copy, *body); !wrong.empty()) return wrong;
   if (!put(copy, *body, body->origin)) return "a body does not fit where it was";
   return samePolygons(copy, world) ? "" : "a body that came back is another one";
 }

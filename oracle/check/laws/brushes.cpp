@@ -1,8 +1,9 @@
 // Laws 8 to 10: a brush differs from its exact result by a unit at most; what it does not reach stays, or is told as
-// bent; and a region that is carved and filled again leaves no seam.
+// bent; cells on both sides of a line are cut in one point; and a region that is carved and filled again leaves no seam.
 #include "oracle/cgal/brushed.h"
 #include "oracle/check/laws/list.h"
 #include "oracle/check/reach.h"
+#include "oracle/check/rims.h"
 #include "oracle/trace/plain_edits.h"
 
 namespace lgs::oracle {
@@ -36,9 +37,11 @@ class BrushesLaw : public Law {
     const Brushed& done = seen.library->player().brushed();
     if (std::string wrong = wrongReach(brush, done); !wrong.empty())
       return seen.mismatch(Mismatch::Kind::reach, std::move(wrong));
+    const Scene after = sceneOf(seen.model().standing(), near(brush));
+    if (std::string wrong = wrongRim(brush, before_, after); !wrong.empty())
+      return seen.mismatch(Mismatch::Kind::rounding, std::move(wrong));
     if (!seen.options.cgal) return std::nullopt;
     ++seen.stats.brushed;
-    const Scene after = sceneOf(seen.model().standing(), near(brush));
     auto far = farFromExact(before_, brush, after);
     if (!far && carved && isFilledAgain(carved->brush, brush)) far = seamIn(carved->before, brush, after);
     if (!far) {
