@@ -6,6 +6,10 @@
 Instructions do not depend on how busy a machine is. Valgrind counts them. Each loop runs a few times and then some more
 times, and the difference of the two counts is what the times more cost: so the start of the program is left out.
 
+Of edits among ramps it counts the lines of memory, too, that are not in a cache of 128 KiB, an eighth of that world:
+so many does an edit touch where a world is larger than any cache. Lines that were asked for ahead
+(lib/outline/fetch.h) are among them.
+
 ceilings.json has the ceiling of each loop, for one compiler: another one makes other code. With another compiler, and
 where there is no Valgrind, nothing is compared, and the exit status is 77. `--write` writes new ceilings, two hundredths
 above what was counted.
@@ -36,9 +40,13 @@ LOOPS = {
     "stroke-full": (10, 110),
     "stroke-mixed": (10, 110),
 }
+LINES = "lines-ramps"
+CACHES = ["--cache-sim=yes", "--I1=32768,8,64", "--D1=32768,8,64", "--LL=131072,16,64"]
+OF_LINES = "edit-ramps"
 STEPS = {
     "edit-full": "an edit and its commit, full blocks",
     "edit-ramps": "an edit and its commit, ramps",
+    LINES: "lines of memory beyond 128 KiB that it touches; each second edit comes back to the cell of the one before",
     "edges-full": "an edit, its commit and the edges of a terrain (EdgeSet), full blocks",
     "edges-ramps": "the same among ramps",
     "add-full": "a cell of a first build, full blocks by add()",
@@ -50,14 +58,16 @@ STEPS = {
 }
 
 
-def instructions(program, loop, times):
-    command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null", program, loop,
-               str(times)]
+def events(program, loop, times):
+    """Instructions, and of one loop lines that are in no cache."""
+    caches = CACHES if loop == OF_LINES else ["--cache-sim=no"]
+    command = ["valgrind", "--tool=cachegrind", *caches, "--cachegrind-out-file=/dev/null", program, loop, str(times)]
     done = subprocess.run(command, capture_output=True, text=True)
-    found = re.search(r"I +refs: +([\d,]+)", done.stderr)
-    if done.returncode != 0 or not found:
+    names = ["I +refs"] + ["LLd misses"] * (loop == OF_LINES)
+    found = [re.search(name + r": +([\d,]+)", done.stderr) for name in names]
+    if done.returncode != 0 or None in found:
         sys.exit(f"gate: {' '.join(command)} failed:\n{done.stderr}")
-    return int(found.group(1).replace(",", ""))
+    return [int(f.group(1).replace(",", "")) for f in found]
 
 
 def steps(program, loop, times):
@@ -65,13 +75,14 @@ def steps(program, loop, times):
 
 
 def counted(program, loops):
-    """Of each loop: instructions of a step, and how many steps were counted."""
+    """Of each loop: instructions of a step, and how many steps were counted. And lines of memory."""
     counts = {}
     for loop in loops:
         few, more = LOOPS[loop]
         counted_steps = steps(program, loop, more) - steps(program, loop, few)
-        counts[loop] = (
-            (instructions(program, loop, more) - instructions(program, loop, few)) / counted_steps, counted_steps)
+        before, after = events(program, loop, few), events(program, loop, more)
+        for name, a, b in zip([loop, LINES], before, after):
+            counts[name] = ((b - a) / counted_steps, counted_steps)
     return counts
 
 
@@ -92,7 +103,8 @@ def main():
     counts = counted(given.program, given.only or LOOPS)
     ceilings = known["ceilings"]
     if given.write:
-        ceilings |= {loop: round(count * SPARE) for loop, (count, _) in counts.items()}
+        for loop, (count, _) in counts.items():
+            ceilings[loop] = round(count * SPARE, None if count > 100 else 1)
         CEILINGS.write_text(json.dumps({"compiler": given.compiler, "ceilings": ceilings}, indent=2) + "\n")
     above = 0
     print(f"{'instructions':>12} {'ceiling':>9} {'steps':>6}")

@@ -25,13 +25,21 @@ constexpr bool kHasThreads = true;
 
 namespace {
 
-/// Phase 1 in a large world: while one chunk is renewed the memory for the next one is on its way. It is no part of
-/// update(), which would be slower for small ones.
-[[gnu::noinline]] void renewFetched(const Outline& outline, std::span<Chunk* const> changed, Exposure& phase1) {
-  for (std::size_t k = 0; k <= changed.size(); ++k) {
-    if (k < changed.size()) fetchAround(outline, *changed[k]);
-    if (k > 0) phase1.renewChunk(*changed[k - 1]);
-  }
+/// Calls visit(chunk) for each that changed. What fetches is no part of update(), which would be slower for small
+/// worlds.
+template <class Visit>
+[[gnu::noinline]] void visitFetched(const Outline& outline, std::span<Chunk* const> changed, Visit&& visit) {
+  forEachFetched(outline, changed, visit);
+}
+/// For a lone chunk an edit has asked for the rest.
+[[gnu::noinline]] void fetchSegmentsOf(const Outline& outline, const Chunk& lone) {
+  forEachScattered(lone, [&](CellAt at) { fetchSegments(outline, at); });
+}
+template <class Visit>
+void visitChanged(const Outline& outline, std::span<Chunk* const> changed, Visit&& visit) {
+  if (changed.size() > 1 && isLarge(outline)) [[unlikely]]
+    return visitFetched(outline, changed, visit);
+  for (const Chunk* chunk : changed) visit(*chunk);
 }
 
 }  // namespace
@@ -47,15 +55,14 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
   if (kHasThreads && executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
     build(ground, *this, executor);
   } else {
+    if (isLarge(*this) && ground.changedChunks().size() == 1) [[unlikely]]
+      fetchSegmentsOf(*this, *ground.changedChunks().front());
     Exposure phase1(ground, *this, ids_);
-    if (segments.maxId() >= kManySegments) [[unlikely]]
-      renewFetched(*this, ground.changedChunks(), phase1);
-    else
-      for (const Chunk* chunk : ground.changedChunks()) phase1.renewChunk(*chunk);
+    visitChanged(*this, ground.changedChunks(), [&](const Chunk& chunk) { phase1.renewChunk(chunk); });
     if (journal_) [[unlikely]]
       noteAdded();
     Linking phase2(ground, *this, fan_);
-    for (const Chunk* chunk : ground.changedChunks()) phase2.linkChunk(*chunk);
+    visitChanged(*this, ground.changedChunks(), [&](const Chunk& chunk) { phase2.linkChunk(chunk); });
   }
   if (ground.preserve)
     for (const SegmentId id : changes_.added) endWithoutLinks(id.value);

@@ -1,55 +1,86 @@
-// Among millions of cells nothing of an edit's place is in a cache, and a commit waits for one line of memory after the
-// other. So it asks for all of them first.
-//
-// always_inline is needed: GCC takes a function that only prefetches for one without effect, and deletes the call of
-// it. A test counts the prefetches in the object file.
+// Among millions of cells nothing of an edit's place is in a cache, and whoever goes there waits for one line of memory
+// after the other: for what the chunk has of the cells, for their lists of segments, for the segments. So all that an
+// edit and its commit need is asked for before they need it.
 #pragma once
 
 #include "outline/outline.h"
-#include "outline/wide_row.h"
 
-#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace lgs::detail {
 
-/// With fewer segments most of it is in a cache, and to ask costs more than it spares. Tests that count what is done have
-/// all worlds ask, so that small ones can be compared with large ones.
+#if defined(__GNUC__) && !defined(__wasm__)
+inline constexpr bool kCanFetch = true;
+/// GCC takes a function that only prefetches for one without effect, and deletes the call of it: hence the statement
+/// behind it. A test counts the prefetches in the object files.
+inline void prefetch(const void* address) {
+  __builtin_prefetch(address);
+  __asm__ volatile("");
+}
+#else
+inline constexpr bool kCanFetch = false;
+inline void prefetch(const void* /*address*/) {}
+#endif
+
+/// With fewer segments most of it is in a cache, and to ask costs more than it spares. Tests that count what is done
+/// have all worlds ask, so that small ones can be compared with large ones.
 #ifdef LGS_ALWAYS_FETCH
 inline constexpr std::uint32_t kManySegments = 0;
 #else
 inline constexpr std::uint32_t kManySegments = 1u << 17;
 #endif
 
-inline constexpr std::size_t kFewSegments = 4;  ///< most cells have no more
+inline bool isLarge(const Outline& outline) { return kCanFetch && outline.segments.maxId() >= kManySegments; }
 
-#ifdef __GNUC__
-[[gnu::always_inline]] inline void prefetch(const void* address) { __builtin_prefetch(address); }
+// Three steps for a cell and the eight around it. At the rim of a chunk they do nothing.
 
-/// Asks for what the two phases read of the only changed cell of a chunk, and of those around it. At the rim of the
-/// chunk, or if there are several, it does nothing.
-[[gnu::always_inline]] inline void fetchAround(const Outline& outline, const Chunk& chunk) {
-  const CellAt at = onlyDirtyCell(chunk);
-  if (!at || !isInner(at.local)) return;
-  const std::uint32_t first = at.local - kChunkSize - 1;  // the lowest of the nine
-  for (std::uint32_t row = 0; row < 3; ++row) {
-    prefetch(&chunk.cells[first + row * kChunkSize]);
-    prefetch(&chunk.facts[first + row * kChunkSize]);
-    outline.lists.prefetchReference(chunk, first + row * kChunkSize);
+inline void fetchCells(const Outline& outline, CellAt at) {
+  if (!isInner(at.local)) return;
+  for (std::uint32_t local = at.local - kChunkSize; local <= at.local + kChunkSize; local += kChunkSize) {
+    prefetch(&at.chunk->cells[local]);
+    prefetch(&at.chunk->facts[local]);
   }
-  for (std::uint32_t row = 0; row < 3; ++row)
-    for (std::uint32_t k = 0; k < 3; ++k) outline.lists.prefetchList(chunk, first + row * kChunkSize + k);
-  for (std::uint32_t row = 0; row < 3; ++row) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::span<const std::uint32_t> ids = outline.lists.of({chunk.self(), first + row * kChunkSize + k}).all();
-      for (const std::uint32_t id : ids.first(std::min(ids.size(), kFewSegments))) prefetch(&outline.segments[id]);
+  outline.lists.forEachPlaceAround(at, [](const void* place) { prefetch(place); });
+}
+inline void fetchLists(const Outline& outline, CellAt at) {
+  outline.lists.forEachAround(at, [](CellSegments list) { prefetch(list.ids()); });
+}
+/// Of each list the first three; most cells have no more. A branch on how many there are nobody would foresee.
+inline void fetchSegments(const Outline& outline, CellAt at) {
+  outline.lists.forEachAround(at, [&](CellSegments list) {
+    for (std::uint32_t k = 0; k < 3; ++k) prefetch(&outline.segments[list.ids()[k < list.count() ? k : 0]]);
+  });
+}
+
+/// The first two, before an edit, which may be the only one until the commit.
+void fetchAround(const Outline& outline, CellAt at);
+
+/// Calls visit(CellAt) for the changed cells of a chunk, or for the first of many: these lie close to each other.
+template <class Visit>
+void forEachScattered(const Chunk& chunk, Visit&& visit) {
+  std::uint32_t left = 32;
+  for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
+    const auto row = static_cast<std::uint32_t>(std::countr_zero(rows));
+    for (RowMask cells = chunk.dirty[row]; cells != 0; cells &= cells - 1) {
+      if (left-- == 0) return;
+      visit(CellAt{chunk.self(), row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(cells))});
     }
   }
 }
-#else
-inline void fetchAround(const Outline&, const Chunk&) {}
-#endif
+
+/// Calls visit(chunk) for each of these. While one is visited the memory for the next two is on its way.
+template <class Visit>
+void forEachFetched(const Outline& outline, std::span<Chunk* const> chunks, Visit&& visit) {
+  for (std::size_t k = 0; k < chunks.size() + 2; ++k) {
+    if (k < chunks.size()) forEachScattered(*chunks[k], [&](CellAt at) { fetchCells(outline, at); });
+    if (k >= 1 && k <= chunks.size()) forEachScattered(*chunks[k - 1], [&](CellAt at) { fetchLists(outline, at); });
+    if (k < 2) continue;
+    forEachScattered(*chunks[k - 2], [&](CellAt at) { fetchSegments(outline, at); });
+    visit(*chunks[k - 2]);
+  }
+}
 
 }  // namespace lgs::detail

@@ -1,6 +1,7 @@
 // What the outline keeps. commit.cpp has the algorithm, and going_back.cpp what marks need.
 #include "outline/outline.h"
 
+#include "outline/fetch.h"
 #include "storage/held_bytes.h"
 
 namespace lgs::detail {
@@ -24,6 +25,13 @@ std::uint64_t Outline::liveCount(const Grid& grid) const {
 void Outline::forget(std::uint32_t chunk) {
   lists.forget(chunk);
   hidden_.forget(chunk);
+}
+
+void fetchAround(const Outline& outline, CellAt at) {
+  prefetch(at.chunk);
+  prefetch(&at.chunk->dirty[at.row()]);
+  fetchCells(outline, at);
+  fetchLists(outline, at);
 }
 
 std::uint64_t Outline::bytes() const {

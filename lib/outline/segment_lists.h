@@ -37,15 +37,24 @@ class SegmentLists {
     return shown ? shown->live[row] : 0;
   }
 
-#ifdef __GNUC__
-  // For fetch.h.
-  [[gnu::always_inline]] void prefetchReference(const Chunk& chunk, std::uint32_t local) const {
-    if (const ShownChunk* shown = shownBy(chunk)) __builtin_prefetch(&shown->lists[local]);
+  /// Calls visit(address) for what says where the lists of a cell and of the eight around it are, unless it is at the
+  /// rim of its chunk.
+  template <class Visit>
+  void forEachPlaceAround(CellAt at, Visit&& visit) const {
+    const ShownChunk* shown = shownBy(*at.chunk);
+    if (!shown || !isInner(at.local)) return;
+    visit(&shown->live[at.row()]);
+    for (std::uint32_t local = at.local - kChunkSize; local <= at.local + kChunkSize; local += kChunkSize)
+      visit(&shown->lists[local]);
   }
-  [[gnu::always_inline]] void prefetchList(const Chunk& chunk, std::uint32_t local) const {
-    if (const ShownChunk* shown = shownBy(chunk)) __builtin_prefetch(of(shown->lists[local]).ids());
+  /// Calls visit(list) for these lists.
+  template <class Visit>
+  void forEachAround(CellAt at, Visit&& visit) const {
+    const ShownChunk* shown = shownBy(*at.chunk);
+    if (!shown || !isInner(at.local)) return;
+    for (std::uint32_t row = at.local - kChunkSize; row <= at.local + kChunkSize; row += kChunkSize)
+      for (std::uint32_t local = row - 1; local <= row + 1; ++local) visit(of(shown->lists[local]));
   }
-#endif
 
   /// Takes `removed` ids out of a cell's list, from index `begin` on, and makes room for `added` there. Returns the
   /// words of the list, into which the caller writes these ids and the new layout; null if the cell shows nothing now.

@@ -3,6 +3,7 @@
 #include "geometry/ring.h"
 #include "ground/places.h"
 #include "ground/refusal.h"
+#include "outline/fetch.h"
 #include "outline/read.h"
 #include "world/impl.h"
 #include "world/snapshot.h"
@@ -87,6 +88,20 @@ Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> i
   });
 }
 
+/// Before an edit of a cell: in a large world, if it is the first one since a commit. Often it is the only one.
+template <class Find>
+void fetch(const World::Impl& world, Find&& find) {
+  if (!isLarge(world.outline) || !world.ground.changedChunks().empty()) [[likely]]
+    return;
+  if (const detail::CellAt at = find()) fetchAround(world.outline, at);
+}
+void fetch(World::Impl& world, Cell cell) {
+  fetch(world, [&] { return world.ground.grid.seek(cell); });
+}
+void fetch(const World::Impl& world, PolygonHandle polygon) {
+  fetch(world, [&] { return world.ground.grid.find(polygon.cellRef); });
+}
+
 }  // namespace
 
 World::World(PreserveRelation preserve, Handles /*handles*/) noexcept
@@ -144,16 +159,20 @@ Expected<LocalBox> World::boundingBox(ShapeId shape) const noexcept {
 
 Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block) noexcept {
   if (PolygonHandle handle; impl_->edit.addSole(cell, shape, block, handle)) return handle;
-  return impl_->edit.add(cell, shape, block, {});
+  return add(cell, shape, block, std::span<PolygonHandle>());
 }
-Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) noexcept {
+// Where it is inlined into the one above, the usual case is slower.
+[[gnu::noinline]] Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block,
+                                                     std::span<PolygonHandle> handles) noexcept {
+  fetch(*impl_, cell);
   return impl_->edit.add(cell, shape, block, handles);
 }
 Expected<PolygonHandle> World::add(Cell cell, std::span<const LocalPoint> polygon, Block block) noexcept {
+  fetch(*impl_, cell);
   return impl_->edit.add(cell, polygon, block);
 }
 Expected<PolygonHandle> World::add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) noexcept {
-  return impl_->edit.add(cell, polygon, block);
+  return add(cell, std::span<const LocalPoint>(polygon), block);
 }
 Expected<PolygonHandle> World::add(Cell cell, std::span<const FloatPoint> polygon, Block block) noexcept {
   return roundIn(cell, polygon, impl_->rounded).and_then([&] { return impl_->edit.add(cell, impl_->rounded, block); });
@@ -164,19 +183,25 @@ Expected<PolygonHandle> World::add(Cell cell, std::span<const DoublePoint> polyg
 Expected<void> World::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) noexcept {
   return impl_->edit.addMany(placements, handles);
 }
-Expected<void> World::remove(PolygonHandle polygon) noexcept { return impl_->edit.remove(polygon); }
+Expected<void> World::remove(PolygonHandle polygon) noexcept {
+  fetch(*impl_, polygon);
+  return impl_->edit.remove(polygon);
+}
 Expected<void> World::removeMany(std::span<const PolygonHandle> polygons) noexcept {
   return impl_->edit.removeMany(polygons);
 }
 Expected<PolygonHandle> World::replace(Cell cell, ShapeId shape, Block block,
                                        std::span<PolygonHandle> handles) noexcept {
+  fetch(*impl_, cell);
   return impl_->edit.replace(cell, shape, block, handles);
 }
 Expected<void> World::exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
                                std::span<PolygonHandle> handles) noexcept {
+  fetch(*impl_, cell);
   return impl_->edit.exchange(cell, removed, added, handles);
 }
 Expected<void> World::setBlock(PolygonHandle polygon, Block block) noexcept {
+  fetch(*impl_, polygon);
   return impl_->edit.setBlock(polygon, block);
 }
 Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block block,
