@@ -5,7 +5,7 @@
     scripts/layers.py --test     # the check finds includes that go up, planted in a copy of the table's rooms
 
 A *room* is a folder. Its public headers and its sources are one room, except in lib/, where headers and sources of the
-engine are told apart: the references and the tools may see public headers only, so that a bug can not stand on both sides.
+engine are told apart: the references and the tools may see public headers only. A bug in values, limits or toWorld() would be on both sides, any other can not.
 """
 import argparse
 import pathlib

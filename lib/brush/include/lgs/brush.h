@@ -113,7 +113,7 @@ struct BrushChange {
 struct BrushResult {
   std::vector<PolygonHandle> removed;  ///< nothing is left of them, or less than half a square unit
   std::vector<PolygonHandle> added;    ///< there is nothing of an old polygon in them
-  std::vector<BrushChange> changed;  ///< old polygons that are cut, bent by rounding, united with others, or recoloured
+  std::vector<BrushChange> changed;    ///< old polygons that are cut, moved by rounding, united, or recoloured
   std::vector<PolygonHandle>
       rounded;  ///< of the old ones above, that law 9 should have kept: docs/internals/brushes.md
 };
