@@ -8,13 +8,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <utility>
 
 namespace lgs::brush {
 namespace {
 
 using detail::orientation;
-using detail::Vector;
 using detail::operator-;
 
 constexpr std::size_t kMostCorners = 64;
@@ -29,9 +29,9 @@ static_assert(kMostConvexPieces < 32, "a Corner has a bit for each blade");
 
 /// A vertex of an outline, from which an edge runs to the next one.
 struct Corner {
-  Point at, next;
-  unsigned left, right;  ///< a bit for each blade: on which side of it the vertex is
-  unsigned nextLeft, nextRight;
+  Point at;
+  std::size_t area, next;
+  unsigned left;  ///< a bit for each blade: whether the vertex is on its left, and so perhaps in the region
 };
 
 /// Which corner and which cut of all is the first one of an outline.
@@ -74,13 +74,6 @@ List<Blade> bladesOf(PieceSpan region) {
   return blades;
 }
 
-/// Nearly always the distance of the pixel tells.
-bool passesPixel(Point a, Point b, Point pixel) {
-  const auto magnitude = [](std::int64_t v) { return v < 0 ? -v : v; };
-  const Vector d = b - a;
-  return 2 * magnitude(cross(d, pixel - a)) <= magnitude(d.x) + magnitude(d.y) && passes(a, b, pixel);
-}
-
 class Clip {
  public:
   Clip(const Ground& ground, PieceSpan region) : ground_(ground), region_(region), blades_(bladesOf(region)) {}
@@ -108,10 +101,9 @@ class Clip {
   }
 
  private:
-  bool isGroup(const Outline& o) const { return ground_.groups[o.area] != kNoGroup; }
   unsigned all() const { return (1U << blades_.size()) - 1; }
 
-  /// False if it is not simple: if a group has more than one ring, or comes to a vertex again, or if it is too much.
+  /// False if a group has more than one ring, or if it is too much.
   bool findCuts() {
     std::size_t count = 0;
     for (const Outline& o : ground_.outlines) count += o.ring.size();
@@ -121,56 +113,42 @@ class Clip {
     begins_.reserve(ground_.outlines.size() + 1);
     for (std::size_t o = 0; o < ground_.outlines.size(); ++o) {
       const auto& [area, ring] = ground_.outlines[o];
-      const bool cuts = isGroup(ground_.outlines[o]);
+      const bool cuts = ground_.groups[area] != kNoGroup;
+      if (cuts && o + 1 < ground_.outlines.size() && ground_.outlines[o + 1].area == area) return false;
       const std::size_t first = corners_.size();
       begins_.push_back({first, cuts_.size()});
-      for (const Point p : ring) addCorner(p, cuts);
-      for (std::size_t k = first; k < corners_.size(); ++k) {
-        const Corner& next = corners_[k + 1 == corners_.size() ? first : k + 1];
-        corners_[k].next = next.at;
-        corners_[k].nextLeft = next.left;
-        corners_[k].nextRight = next.right;
-        if (cuts && !addCuts(k)) return false;
-      }
-      if (cuts && std::ranges::count(ground_.groups, area) > 1) {
-        if (o + 1 < ground_.outlines.size() && ground_.outlines[o + 1].area == area) return false;
-        Points sorted = ring;
-        normalize(sorted);
-        if (sorted.size() != ring.size()) return false;
-      }
+      for (const Point p : ring) addCorner(p, area, cuts);
+      corners_.back().next = first;
+      for (std::size_t k = first; cuts && k < corners_.size(); ++k) addCuts(k);
     }
     begins_.push_back({corners_.size(), cuts_.size()});
     return true;
   }
 
-  void addCorner(Point p, bool cuts) {
-    Corner corner{p, p, 0, 0, 0, 0};
-    for (std::size_t b = 0; cuts && b < blades_.size(); ++b) {
-      const int side = orientation(blades_[b].piece.a, blades_[b].piece.b, p);
-      corner.left |= (side > 0 ? 1U : 0U) << b;
-      corner.right |= (side < 0 ? 1U : 0U) << b;
-    }
+  void addCorner(Point p, std::size_t area, bool cuts) {
+    Corner corner{p, area, corners_.size() + 1, 0};
+    for (std::size_t b = 0; cuts && b < blades_.size(); ++b)
+      corner.left |= (orientation(blades_[b].piece.a, blades_[b].piece.b, p) > 0 ? 1U : 0U) << b;
     corners_.push_back(corner);
   }
 
-  bool addCuts(std::size_t k) {
-    const Corner& c = corners_[k];
-    const unsigned crossed = (c.left & c.nextRight) | (c.right & c.nextLeft);
+  /// The region is convex: an edge enters it at most once, and then leaves it.
+  void addCuts(std::size_t k) {
+    const Corner &c = corners_[k], &next = corners_[c.next];
+    const unsigned sides = c.left ^ next.left;
     const std::size_t first = cuts_.size();
-    for (std::size_t b = 0; crossed >> b != 0; ++b) {
+    for (std::size_t b = 0; sides >> b != 0; ++b) {
+      if ((sides >> b & 1) == 0) continue;
       const Piece& p = blades_[b].piece;
-      if ((crossed >> b & 1) == 0 || orientation(c.at, c.next, p.a) * orientation(c.at, c.next, p.b) >= 0) continue;
-      const auto pixel = crossingPixel({c.at, c.next, c.at, c.next, {}, true}, {p.a, p.b, p.start, p.end, {}, true});
-      if (!pixel) return false;
-      cuts_.push_back({*pixel, k, b, (c.right >> b & 1) != 0});
+      if (const auto pixel =
+              crossingPixel({c.at, next.at, c.at, next.at, {}, true}, {p.a, p.b, p.start, p.end, {}, true}))
+        cuts_.push_back({*pixel, k, b, (c.left >> b & 1) == 0});
     }
-    const std::size_t count = cuts_.size() - first;
-    if (count == 2 && dot(cuts_[first].at - c.at, c.next - c.at) > dot(cuts_[first + 1].at - c.at, c.next - c.at))
-      std::swap(cuts_[first], cuts_[first + 1]);
-    return count <= 2;
+    if (cuts_.size() == first + 2 && cuts_[first + 1].enters) std::swap(cuts_[first], cuts_[first + 1]);
   }
 
-  /// Whether no edge passes a pixel of another vertex or crossing. It may have vertices on it if nothing crosses it.
+  /// Whether no edge passes a pixel of another vertex or crossing. It may have vertices of other groups on it if nothing
+  /// crosses it. If a vertex of its own group lies on it, the outline touches itself there, and so would what is left.
   bool bendsNothing() {
     hot_.reserve(corners_.size() + kCorners.size() + region_.size() + cuts_.size());
     for (const Corner& c : corners_) hot_.push_back(c.at);
@@ -188,58 +166,54 @@ class Clip {
     for (std::size_t k = 0; k < corners_.size(); ++k) {
       const std::size_t first = cut;
       while (cut < cuts_.size() && cuts_[cut].corner == k) ++cut;
-      if (isBent(corners_[k], first, cut)) return false;
+      if (isBent(k, first, cut)) return false;
     }
     return true;
   }
 
-  /// Whether a blade passes another pixel than those of its ends and its own crossings, or one of these twice.
-  bool isBent(std::size_t blade) const {
-    const Piece& p = blades_[blade].piece;
+  /// Whether an edge passes a hot pixel that is not its own.
+  template <class IsOwn>
+  bool passesOther(const Piece& p, IsOwn&& isOwn) const {
     const auto box = detail::boundingBox(std::array{p.start, p.end});
     for (std::size_t h = 0; h < hot_.size(); ++h) {
       const Point z = hot_[h];
-      if (z.x < box.min.x || z.x > box.max.x || z.y < box.min.y || z.y > box.max.y || !passesPixel(p.a, p.b, z))
-        continue;
-      const bool isEnd = z == p.start || z == p.end;
-      if (h < ofCuts_) {
-        if (!isEnd) return true;
-        continue;
-      }
-      const Cut& cut = cuts_[h - ofCuts_];
-      const Corner& from = corners_[cut.corner];
-      if (cut.blade != blade || (isEnd && !runsAlongRim(from.at, from.next))) return true;
-      for (std::size_t d = ofCuts_; d < h; ++d)
-        if (hot_[d] == z) return true;
+      if (z.x >= box.min.x && z.x <= box.max.x && z.y >= box.min.y && z.y <= box.max.y && !isOwn(h, z) &&
+          passes(p.a, p.b, z))
+        return true;
     }
     return false;
   }
 
-  /// The same of an edge of an outline, with its cuts.
-  bool isBent(const Corner& edge, std::size_t firstCut, std::size_t endCut) const {
-    const Point from = edge.at, to = edge.next;
-    const auto box = detail::boundingBox(std::array{from, to});
-    for (std::size_t h = 0; h < hot_.size(); ++h) {
-      const Point z = hot_[h];
-      if (z.x < box.min.x || z.x > box.max.x || z.y < box.min.y || z.y > box.max.y) continue;
-      if (h < ofRegion_ && (z == from || z == to)) continue;
-      if (!passesPixel(from, to, z)) continue;
-      if (h < ofRegion_) {
-        if (firstCut != endCut || orientation(from, to, z) != 0) return true;
-        continue;
+  bool isBent(std::size_t blade) const {
+    const Piece& p = blades_[blade].piece;
+    return passesOther(p, [&](std::size_t h, Point z) {
+      return h < ofCuts_ ? z == p.start || z == p.end : cuts_[h - ofCuts_].blade == blade;
+    });
+  }
+
+  /// Of an edge of an outline, with its cuts. Those of the same edge of another outline are its own, too.
+  bool isBent(std::size_t k, std::size_t firstCut, std::size_t endCut) const {
+    const Corner& edge = corners_[k];
+    const Point from = edge.at, to = corners_[edge.next].at;
+    return passesOther({from, to, from, to}, [&](std::size_t h, Point z) {
+      if (h < corners_.size() && corners_[h].area == edge.area) return h == k || h == edge.next;
+      if (h < ofRegion_) return z == from || z == to || (firstCut == endCut && orientation(from, to, z) == 0);
+      if (h < ofCuts_) {
+        bool isCut = false;
+        for (std::size_t c = firstCut; c < endCut; ++c) isCut |= cuts_[c].at == z;
+        return isCut && runsAlongRim(from, to);
       }
-      bool isOwn = false;
-      for (std::size_t c = firstCut; c < endCut; ++c) isOwn |= cuts_[c].at == z;
-      if (!isOwn) return true;
-    }
-    return false;
+      const Corner& other = corners_[cuts_[h - ofCuts_].corner];
+      return &other == &edge || (other.at == to && corners_[other.next].at == from);
+    });
   }
 
   /// Adds what is left of a group's outline, by least vertex. A blade runs through the outline from one cut to the next
-  /// one. So one goes along the outline up to where it enters the region, and back along the chain.
+  /// one. So one goes along the outline up to where it enters the region, and back along the chain. False if it is not
+  /// cut, but touched.
   bool walk(std::size_t o, List<Points>& rings) {
     const std::size_t first = begins_[o].cut, end = begins_[o + 1].cut;
-    if (first == end) return corners_[begins_[o].corner].left == all();  // nothing is left; or it is but touched
+    if (first == end) return corners_[begins_[o].corner].left == all();  // nothing is left
     List<std::size_t> along;
     along.reserve(end - first);
     for (std::size_t c = first; c < end; ++c) along.push_back(c);
@@ -249,11 +223,9 @@ class Clip {
       const Piece& p = blades_[u.blade].piece;
       return dot(u.at - v.at, p.b - p.a) < 0;
     });
-    if (along.size() % 2 != 0) return false;
-    for (std::size_t k = 0; k < along.size(); k += 2) {
-      Cut &u = cuts_[along[k]], &v = cuts_[along[k + 1]];
-      if (u.enters || !v.enters || blades_[u.blade].chain != blades_[v.blade].chain) return false;
-      v.partner = along[k];
+    for (std::size_t k = 1; k < along.size(); k += 2) {
+      assert(!cuts_[along[k - 1]].enters && cuts_[along[k]].enters && "a blade goes in and out by turns");
+      cuts_[along[k]].partner = along[k - 1];
     }
     const std::size_t firstCorner = begins_[o].corner, endCorner = begins_[o + 1].corner;
     for (std::size_t c = first; c < end; ++c) {
@@ -263,7 +235,7 @@ class Clip {
       for (std::size_t leaves = c; !cuts_[leaves].isWalked;) {
         cuts_[leaves].isWalked = true;
         const std::size_t enters = leaves + 1 == end ? first : leaves + 1;
-        if (!cuts_[enters].enters) return false;
+        assert(cuts_[enters].enters);
         ring.push_back(cuts_[leaves].at);
         if (cuts_[enters].corner != cuts_[leaves].corner || enters < leaves) {
           std::size_t k = cuts_[leaves].corner;

@@ -4,6 +4,7 @@
 #include "geometry/predicates.h"
 #include "geometry/sort.h"
 #include "pairs.h"
+#include "snap.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -119,6 +120,18 @@ Pieces cutAtEnds(PieceSpan pieces) {
   return parts;
 }
 
+/// Edges that are cut at the rim may cross within a unit of it, though their ends are rounded to where they do not.
+bool doCross(PieceSpan pieces) {
+  const auto doMeet = [](const Piece& p, const Piece& q) { return p.end == p.b && q.start == q.a && p.b == q.a; };
+  const auto segment = [](const Piece& p) { return Segment{p.a, p.b, p.start, p.end, {}, true}; };
+  for (std::size_t k = 1; k < pieces.size(); ++k) {
+    if (!pieces[k].isOfRegion) continue;
+    for (std::size_t m = 0; m < k - (doMeet(pieces[k - 1], pieces[k]) ? 1 : 0); ++m)
+      if (pieces[m].isOfRegion && crossingPixel(segment(pieces[m]), segment(pieces[k]))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Pieces piecesOf(std::span<const Point> ring) {
@@ -144,7 +157,7 @@ bool isConvexRing(PieceSpan pieces) {
     upwards += !isUp(in) && isUp(out) ? 1 : 0;
     in = out;
   }
-  return upwards == 1;
+  return upwards == 1 && !doCross(pieces);
 }
 
 Halves halves(PieceSpan ring, Line line) {

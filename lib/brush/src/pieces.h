@@ -28,8 +28,8 @@ using Points = List<Point>;
 inline constexpr std::array<Point, 4> kCorners{
     {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
 
-/// Whether pieces are one convex ring, counter-clockwise, of at most kMostConvexPieces. Vertices may be in the middle of
-/// straight lines.
+/// Whether pieces are one convex ring, counter-clockwise, of at most kMostConvexPieces, and no edges cross in it. Vertices
+/// may be in the middle of straight lines.
 bool isConvexRing(PieceSpan pieces);
 inline constexpr std::size_t kMostConvexPieces = 16;
 

@@ -32,6 +32,9 @@ bool isInBox(Point p, Point a, Point b) { return isBetween(p.x, a.x, b.x) && isB
 bool passes(Point a, Point b, Point pixel) {
   if (pixel == a || pixel == b) return true;
   if (!isInBox(pixel, a, b)) return false;  // a and b are centres of pixels
+  const Vector d = b - a;
+  const auto magnitude = [](std::int64_t v) { return v < 0 ? -v : v; };
+  if (2 * magnitude(cross(d, pixel - a)) > magnitude(d.x) + magnitude(d.y)) return false;  // nearly always this tells
   const Point from{2 * a.x, 2 * a.y}, to{2 * b.x, 2 * b.y};
   const auto side = [&](int dx, int dy) { return orientation(from, to, Point{2 * pixel.x + dx, 2 * pixel.y + dy}); };
   const int corner = side(-1, -1);
