@@ -86,7 +86,7 @@ void Model::goTo(State state) {
     takeAway(chunk);
     owed_[chunk] = std::max(owed(chunk), isSame(now_.away.at(chunk), before) ? Owed::maybe : Owed::sure);
     if (!now_.chunks.insert(chunk).second) continue;
-    timeline_.forEach([&](State& other) { other.chunks.insert(chunk); });
+    timeline_.forEach([&, &cell = chunk](State& other) { other.chunks.insert(cell); });
   }
   now_.alone.clear();
   for (const auto& entry : away)
