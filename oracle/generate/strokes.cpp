@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::array<std::int64_t, 7> kSteps{1, 1, 5, 37, 977, 8'192, 10'007};
 
+BrushEdit::Deed anyDeed(Random& random) {
+  constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
+  return kDeeds[random.below(kDeeds.size())];
+}
+
 class Painter {
  public:
   Painter(Cell cell, const StrokeHabits& habits, Random& random) : cell_(cell), habits_(habits), random_(random) {}
@@ -21,9 +26,8 @@ class Painter {
   std::vector<Call> stroke() {
     if (!habits_.can.regions && random_.chance(habits_.tight ? 20 : 8)) return onSolidGround();
     if (!habits_.can.regions && random_.chance(8)) return beside();
-    constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
-    BrushEdit brush;
-    brush.deed = kDeeds[random_.below(kDeeds.size())];
+    if (!habits_.can.regions && random_.chance(8)) return acrossSlivers(cell_, habits_.blocks, random_);
+    BrushEdit brush{.deed = anyDeed(random_), .rings = {}};
     const Block block = any();
     const bool isOfRegions = habits_.can.regions;
     if (!isOfRegions && random_.chance(30)) brush.staying = {any()};
@@ -259,6 +263,37 @@ std::vector<Ring> crossingRings(const Tight& lattice, Random& random) {
     }
   }
   return rings;
+}
+
+std::vector<Call> acrossSlivers(Cell cell, const std::vector<Block>& blocks, Random& random) {
+  constexpr std::array kWidths{8, 30, 300, 5'000};
+  const std::int32_t width = kWidths[random.below(kWidths.size())], far = width / 8 + 1;
+  const std::int32_t left = random.between(far, kUnitsPerCell - width - far);
+  const std::int32_t floor = random.chance(50) ? 0 : random.between(1, kUnitsPerCell - 1);
+  const bool isUpright = random.chance(50), isTurned = random.chance(50);
+  const auto at = [&](std::int32_t along, std::int32_t across) {
+    return isUpright ? LocalPoint{floor + across, left + along} : LocalPoint{left + along, floor + across};
+  };
+  std::vector<std::int32_t> tips(2 + random.below(14U)), feet(2 * tips.size());
+  for (auto* const row : {&tips, &feet}) {
+    for (std::int32_t& v : *row) v = random.between(0, width);
+    std::ranges::sort(*row);
+  }
+  Call gone = Call::of(Call::Kind::clear), many = Call::of(Call::Kind::addMany);
+  gone.cells = {cell, cell};
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    LocalPoint a = at(feet[2 * k], isTurned), b = at(feet[2 * k + 1], isTurned);
+    if (isUpright != isTurned) std::swap(a, b);
+    if (a != b)
+      many.comes.push_back({.cell = cell, .shape = {{a, b, at(tips[k], !isTurned)}}, .block = random.pick(blocks)});
+  }
+  BrushEdit brush{.deed = anyDeed(random), .rings = {{}}};
+  if (brush.deed != BrushEdit::Deed::carve) brush.block = random.pick(blocks);
+  const std::int32_t begin = random.between(-far, width + far), end = begin + random.between(-3, 3);
+  for (const LocalPoint v : {at(begin, random.between(-3, 0)), at(end, random.between(1, 4)),
+                             at(begin + random.between(1, 2 * far), random.between(-4, 4))})
+    brush.rings[0].push_back(toWorld(cell, v));
+  return {std::move(gone), std::move(many), Call::byBrush(std::move(brush))};
 }
 
 Tight tightAt(Point centre, Random& random) { return {centre, kSteps[random.below(kSteps.size())]}; }

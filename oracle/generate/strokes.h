@@ -22,6 +22,10 @@ Tight tightAt(Point centre, Random& random);
 /// Rings on such a lattice: they cross, touch and overlap.
 std::vector<std::vector<Point>> crossingRings(const Tight& lattice, Random& random);
 
+/// A cell is emptied, gets triangles of one unit's height side by side, and a region across some: vertices of each are
+/// less than a unit from the edges of others.
+std::vector<Call> acrossSlivers(Cell cell, const std::vector<Block>& blocks, Random& random);
+
 /// What strokes are made for.
 struct StrokeHabits {
   std::vector<Block> blocks;        ///< at least one

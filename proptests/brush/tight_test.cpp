@@ -1,10 +1,17 @@
 // Strokes on tight lattices, each of which a law depends on in a way that random ones seldom show. Those of which the
 // checker sees all that matters are a trace: ../regressions/brush-on-tight-lattices.trace.
 #include "calm.h"
+#include "cells.h"
+#include "oracle/generate/strokes.h"
 #include "proptests/brush/strokes.h"
+#include "proptests/support/law.h"
 #include "proptests/support/must.h"
+#include "rounding.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace lgs::test::tight {
 namespace {
@@ -19,6 +26,37 @@ TEST(BrushTight, AnEdgeMayBeCrossedInThePixelWhereItEnds) {
     brush::Ground ground = brush::groundOf(polygons, {true});
     ASSERT_TRUE(addKnown(ground, region));
     EXPECT_EQ(brush::calmAtoms(ground, region, FillRule::nonZero).has_value(), y == 10'000);
+  }
+}
+
+// Where a polygon stands in the way, some edges are left straight and others bend. Both may begin at one vertex: then
+// none need cross for the group between them to be turned over.
+TEST(BrushTight, EachPlaceIsOfOneGroupAtMost) {
+  const Effort effort = effortOf(3'000);
+  for (std::int64_t n = 0; n < effort.cases; ++n) {
+    const std::uint64_t seed = effort.seed + static_cast<std::uint64_t>(n);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    oracle::Random random(seed);
+    const std::vector<oracle::Call> calls = oracle::acrossSlivers({0, 0}, {1, 2}, random);
+    const brush::Frame frame;
+    brush::List<brush::CellPolygon> polygons;
+    for (const auto& comes : calls[1].comes) {
+      brush::CellPolygon& polygon = polygons.emplace_back();
+      polygon.block = comes.block;
+      for (const LocalPoint v : comes.shape[0]) polygon.ring.push_back({v.x, v.y});
+    }
+    const Region region = oracle::regionOf(calls[2].brush);
+    const brush::Coverage coverage = brush::coverage(region);
+    const auto cell = std::ranges::find(coverage.cut, Cell{0, 0}, &brush::CutCell::cell);
+    if (cell == coverage.cut.end()) continue;
+    brush::Ground ground = groundOf(polygons, meetingOf(polygons, cell->pieces, region.rule));
+    ASSERT_TRUE(addKnown(ground, cell->pieces));
+    const brush::Rounding rounding = snapRounded(*arrangementOf(ground, cell->pieces), region.rule);
+    if (!rounding.inTheWay.empty()) continue;
+    ASSERT_TRUE(rounding.isPlane);
+    for (const brush::Atom& atom : rounding.atoms)
+      for (const brush::Sum& side : {atom.left, atom.right})
+        ASSERT_TRUE(side.group >= 0 && std::cmp_less_equal(side.group, polygons.size()));
   }
 }
 
