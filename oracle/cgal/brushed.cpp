@@ -215,7 +215,7 @@ class Strokes {
 
   static std::string within(std::int64_t units) {
     if (units == 0) return "";
-    return fmt::format(", not all of it within {} of the exact edges", counted(units, "unit"));
+    return fmt::format(", not all of it within {} of the exact edges", counted(static_cast<std::uint64_t>(units), "unit"));
   }
 
   static bool ofAnyBlock(const Solid& left, const Solid& right) { return left != right; }

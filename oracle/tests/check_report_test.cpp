@@ -312,7 +312,7 @@ TEST_F(CheckSurvey, LooksForWhatIsNewBehindAnyNumberOfKnownOnes) {
   for (int k = 0; k < 3; ++k) add(all, engine, fourSquares());
   EXPECT_TRUE(all.faults().empty());
   from = 8;
-  for (const std::uint64_t onlyCounted : {0, 1}) {
+  for (const std::uint64_t onlyCounted : {0U, 1U}) {
     add(all, engine, fourSquares());
     EXPECT_EQ(all.faults().size(), 1U);
     EXPECT_EQ(all.kinds().at("wrong block").onlyCounted(), onlyCounted);

@@ -11,8 +11,6 @@
 namespace lgs::test {
 namespace {
 
-constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
-
 bool isAnchored(Block block, Cell /*cell*/) { return isBedrock(block); }
 std::int32_t isAnchoredInC(void* /*user*/, lgs_block block, lgs_cell /*cell*/) { return isBedrock(block) ? 1 : 0; }
 

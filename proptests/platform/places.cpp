@@ -29,12 +29,12 @@ lgs::Region randomRegion(Random& choices) {
     case 1:
       return lgs::circle(at, size, choices.between(3, 40));
     case 2:
-      return lgs::thickLine(randomPoints(choices, choices.below(4)), size / 4, 12);
+      return lgs::thickLine(randomPoints(choices, choices.below(4U)), size / 4, 12);
     case 3:
       return lgs::rectangle(at, randomPoint(choices), size, size / 3);
     case 4: {  // a ring in cells, which may be no region
       std::vector<std::vector<lgs::DoublePoint>> rings(1);
-      for (std::uint32_t k = choices.below(6); k > 0; --k) {
+      for (std::uint32_t k = choices.below(6U); k > 0; --k) {
         const lgs::Point p = randomPoint(choices);
         rings[0].push_back({static_cast<double>(p.x) / 65'536, static_cast<double>(p.y) / 65'536 + 0x1p-18});
       }
@@ -85,7 +85,7 @@ void brushes(Hash& hash) {
       const lgs::Region region = randomRegion(choices);
       const lgs::PaintMode mode = choices.chance(50) ? lgs::PaintMode::fill : lgs::PaintMode::replace;
       const auto done =
-          choices.below(3) == 0 ? lgs::carve(world, region) : lgs::paint(world, region, choices.below(4), mode);
+          choices.below(3) == 0 ? lgs::carve(world, region) : lgs::paint(world, region, choices.below(4U), mode);
       if (putResult(hash, done)) put(hash, *done);
       editor.commit();
     }
@@ -114,7 +114,7 @@ void questions(Hash& hash) {
 void radial(Hash& hash) {
   Random choices(700);
   for (int k = 0; k < 150; ++k) {
-    const std::vector<lgs::Point> points = randomPoints(choices, 2 + choices.below(30));
+    const std::vector<lgs::Point> points = randomPoints(choices, 2 + choices.below(30U));
     const auto links = lgs::radialMatch(points, randomEdges(choices, static_cast<std::uint32_t>(points.size())));
     if (putResult(hash, links)) {
       for (const lgs::EdgeLinks& link : *links) hash.number(std::uint64_t{link.predecessor} << 32 | link.successor);

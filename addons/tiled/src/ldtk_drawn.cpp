@@ -173,7 +173,7 @@ void checkGrids(const XmlFile& file, pugi::xml_node parent) {
 }
 
 void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes) {
-  constexpr double kMaxSide = 1 << 28;  // tiles
+  constexpr double kMostTiles = 1 << 28;
   pugi::xml_node root = file.root();
   const pugi::xml_node world = root.attribute(kLdtkWorldsAttribute) ? chooseWorld(file, options) : root;
   if (file.failed()) return;
@@ -188,7 +188,7 @@ void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>&
   setAgain(root, "tileheight", numberText(grid));
   for (const auto& [pixels, tiles] : {std::pair(kLdtkWidthAttribute, "width"), {kLdtkHeightAttribute, "height"}}) {
     const double side = std::ceil(file.real(world, pixels) / grid);
-    if (!(side <= kMaxSide)) return file.fail(root, "its levels are too far apart");
+    if (!(side <= kMostTiles)) return file.fail(root, "its levels are too far apart");
     setAgain(root, tiles, numberText(side));
   }
   if (options.blockFrom == BlockFrom::layer) return;

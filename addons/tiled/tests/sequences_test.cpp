@@ -46,19 +46,19 @@ void showValue(const Steps& steps, std::ostream& out) {
 rc::Gen<Steps> Steps::arbitrary() {
   const rc::Gen<std::vector<Step>> lists = [](rc::Random random, int size) {
     oracle::Random choices(random.next());
-    std::vector<Step> list;
+    std::vector<Step> made;
     for (int k = choices.below(size / 4 + 2); k > 0; --k) {
       Step step;
       if (choices.chance(40))
         step = {{}, HostileMap::draw(choices), choices.chance(60)};
       else
         step.call = drawCall(choices, withLoads(oracle::Habits()));
-      list.push_back(std::move(step));
+      made.push_back(std::move(step));
     }
     return rc::shrinkable::shrinkRecur(
-        std::move(list), [](const std::vector<Step>& longer) { return rc::shrink::removeChunks(longer); });
+        std::move(made), [](const std::vector<Step>& longer) { return rc::shrink::removeChunks(longer); });
   };
-  return rc::gen::map(lists, [](std::vector<Step>&& list) { return Steps{std::move(list)}; });
+  return rc::gen::map(lists, [](std::vector<Step>&& made) { return Steps{std::move(made)}; });
 }
 
 /// Of a map's upper left cell: the lattice of maps counts rows upwards from there.
