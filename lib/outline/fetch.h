@@ -65,7 +65,8 @@ void forEachScattered(const Chunk& chunk, Visit&& visit) {
   for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
     const auto row = static_cast<std::uint32_t>(std::countr_zero(rows));
     for (RowMask cells = chunk.dirty[row]; cells != 0; cells &= cells - 1) {
-      if (left-- == 0) return;
+      if (left == 0) return;
+      --left;
       visit(CellAt{chunk.self(), row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(cells))});
     }
   }
