@@ -13,14 +13,14 @@
 namespace lgs::oracle {
 namespace {
 
-struct Edge {
+struct RimEdge {
   Point a, b;
 };
-using Edges = std::vector<Edge>;
+using Edges = std::vector<RimEdge>;
 using Axis = std::int64_t Point::*;
 
 // Whether a point of a line is the lattice point next to where an edge crosses that, or one of two.
-bool isCrossing(Point v, const Edge& edge, Axis across, Axis along) {
+bool isCrossing(Point v, const RimEdge& edge, Axis across, Axis along) {
   const std::int64_t run = edge.b.*across - edge.a.*across, to = v.*across - edge.a.*across;
   if (run == 0 || (run > 0 ? to < 0 || to > run : to > 0 || to < run)) return false;
   const std::int64_t off = (v.*along - edge.a.*along) * run - (edge.b.*along - edge.a.*along) * to;
@@ -28,7 +28,7 @@ bool isCrossing(Point v, const Edge& edge, Axis across, Axis along) {
 }
 
 // Whether an edge passes through the square of two units around a point, or near it.
-bool passes(const Edge& edge, Point v) {
+bool passes(const RimEdge& edge, Point v) {
   const auto isWithin = [&](Axis axis) {
     const auto [min, max] = std::minmax(edge.a.*axis, edge.b.*axis);
     return min - 1 <= v.*axis && v.*axis <= max + 1;
@@ -59,8 +59,8 @@ std::string wrongRim(const BrushEdit& brush, const Scene& before, const Scene& a
       const bool isVertical = isOnLine(v.x);
       if (isVertical == isOnLine(v.y) || known.contains(v)) continue;  // no rim, or a corner
       const Axis across = isVertical ? &Point::x : &Point::y, along = isVertical ? &Point::y : &Point::x;
-      const auto crossesHere = [&](const Edge& edge) { return isCrossing(v, edge, across, along); };
-      const auto comes = [&](const Edge& edge) {  // from elsewhere
+      const auto crossesHere = [&](const RimEdge& edge) { return isCrossing(v, edge, across, along); };
+      const auto comes = [&](const RimEdge& edge) {  // from elsewhere
         return (edge.a.*across != v.*across || edge.b.*across != v.*across) && passes(edge, v);
       };
       if (std::ranges::any_of(ofRegion, crossesHere) || std::ranges::any_of(ofGround, comes) ||

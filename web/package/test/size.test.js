@@ -20,7 +20,7 @@ const dist = (name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url)
 const gzip = (file) => gzipSync(readFileSync(file), { level: 9 }).length
 
 for (const [module, wasm, limit] of [
-  ['index.js', 'lgs.wasm', 191_000], ['small.js', 'lgs-small.wasm', 152_000], ['islands.js', 'lgs-islands.wasm', 277_000],
+  ['index.js', 'lgs.wasm', 192_000], ['small.js', 'lgs-small.wasm', 152_000], ['islands.js', 'lgs-islands.wasm', 277_000],
   ['full.js', 'lgs-full.wasm', 365_000], ['oracle.js', 'lgs-oracle.wasm', 400_000]])
   test(`${module} and ${wasm}: at most ${limit} bytes`, (t) => {
     const files = [...withImports(dist(module)), dist(wasm)]
