@@ -216,7 +216,7 @@ export class TracePlayer {
     this.#world.rollBack(this.#marks[to]!.mark, undone)
     if (undone === 'keep') {
       if (!this.#leadsOn) this.#ahead = []
-      this.#ahead.push(...this.#marks.slice(to).reverse())
+      this.#ahead.push(...this.#marks.slice(to + 1).reverse())
       this.#went = to
       this.#leadsOn = true
     } else if (to < this.#went) {
