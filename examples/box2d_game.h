@@ -126,7 +126,7 @@ class Game {
   }
 
   void count() {
-    for (const auto& caught : physics_.terrain().caught()) ++(caught.isFree ? pushed_ : held_);
+    for (const auto& overlap : physics_.terrain().overlaps()) ++(overlap.isFree ? pushed_ : held_);
   }
 
   /// In the ground, or out of the world.

@@ -19,7 +19,7 @@ inline bool placeIfFree(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Ce
   bool isPlaced = false;
   if (world.add(cell, shape, block)) {
     const lgs::Changes& changes = world.commit();
-    isPlaced = terrain.caughtBy(changes).empty() ? terrain.sync(changes).has_value() : !world.rollBack(before);
+    isPlaced = terrain.overlapsWith(changes).empty() ? terrain.sync(changes).has_value() : !world.rollBack(before);
   }
   return world.forget(before) && isPlaced;
 }

@@ -175,7 +175,7 @@ int main(int count, char** arguments) {
     const auto at = Physics::placeOf(ball);
     const lgs::Spot spot = digger.ground().world().at(terrain.latticePoint(at));
     const auto isBall = [&](auto other) { return lgs::box2d::GroundHost::isSame(ball, other); };
-    if (std::ranges::any_of(terrain.held(), isBall))
+    if (std::ranges::any_of(terrain.disabled(), isBall))
       ++held;
     else if (spot.where == lgs::Spot::Where::inside || terrain.cellAt(at).j < 0)
       ++lost;

@@ -35,7 +35,7 @@ for (let step = 0; step < 300; ++step) {
 console.log(`${boxes.filter((box) => b2.b2Body_GetPosition(box).y < 6).length} boxes are in a hole`)
 
 terrain.sync(world.rollBack(mark))
-console.log(`${terrain.caught.length} were in the ground that came back`)
+console.log(`${terrain.overlaps.length} were in the ground that came back`)
 for (let step = 0; step < 300; ++step) {
   terrain.beforeStep()
   b2.b2World_Step(physics, 1 / 60, 4)

@@ -37,7 +37,7 @@ for (let step = 0; step < 300; ++step) {
 console.log(`${world.stats().cells} of 180 cells are left`)
 
 terrain.sync(world.rollBack(mark)) // all holes are full again
-console.log(`${terrain.caught.length} balls were in the ground that came back`)
+console.log(`${terrain.overlaps.length} balls were in the ground that came back`)
 for (let step = 0; step < 300; ++step) {
   terrain.beforeStep()
   physics.step(1 / 60)

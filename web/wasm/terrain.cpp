@@ -184,8 +184,8 @@ LGS_EXPORT("segmentAt") std::uint32_t segmentAt(const Terrain* terrain, std::uin
 
 /// Between beginSync() and endSync(): 1 if new ground catches the forms of a body. Then the depth, whether there is a
 /// way out, and it.
-LGS_EXPORT("caught")
-std::int32_t caught(const Terrain* terrain, std::size_t forms, std::size_t numbers, double tolerance) {
+LGS_EXPORT("overlap")
+std::int32_t overlap(const Terrain* terrain, std::size_t forms, std::size_t numbers, double tolerance) {
   const auto found =
       box2d::catchOf(*terrain->ground, inputForms(forms, numbers), terrain->whose, tolerance * kUnitsPerCell);
   if (!found) return 0;
@@ -194,7 +194,7 @@ std::int32_t caught(const Terrain* terrain, std::size_t forms, std::size_t numbe
   return 1;
 }
 
-/// After beginSync(): 1 if who was held comes free, and the way.
+/// After beginSync(): 1 if who was disabled comes free, and the way.
 LGS_EXPORT("released")
 std::int32_t released(const Terrain* terrain, std::size_t forms, std::size_t numbers, double tolerance) {
   const auto& around = terrain->around;

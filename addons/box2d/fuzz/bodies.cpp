@@ -55,13 +55,13 @@ class Game {
 
  private:
   static box2d::TerrainOptions optionsOf(std::uint8_t habits) {
-    constexpr std::array kCaught{box2d::OnCaught::push, box2d::OnCaught::push, box2d::OnCaught::hold};
+    constexpr std::array kOnOverlap{box2d::OnOverlap::push, box2d::OnOverlap::push, box2d::OnOverlap::disable};
     constexpr std::array kSizes{1.0, 0.5, 2.0};
     box2d::TerrainOptions options;
     options.cellSize = kSizes[habits % 3];
     options.chunkCells = habits % 2 == 0 ? 16 : 2;
     options.merge = habits % 5 < 2;
-    options.onCaught = kCaught[habits / 16 % 3];
+    options.onOverlap = kOnOverlap[habits / 16 % 3];
     options.material = [](Block block) {
       box2d::Material material;
       material.friction = block == 2 ? 0.9F : 0.2F;

@@ -21,12 +21,14 @@ std::vector<b2Body*> BodyWatch::bodies() const {
 std::string BodyWatch::look(const char* after) {
   for (b2Body* const body : bodies()) {
     Watched& watched = watched_[body];
-    const bool isHeld = !body->IsEnabled();
-    const auto held = terrain_.held();
-    if (isHeld && std::ranges::find(held, body) == held.end()) return fmt::format("{}, who is held is not told", after);
+    const bool isDisabled = !body->IsEnabled();
+    const auto disabled = terrain_.disabled();
+    if (isDisabled && std::ranges::find(disabled, body) == disabled.end())
+      return fmt::format("{}, a disabled body is not in disabled()", after);
     const Point at = terrain_.latticePoint(body->GetPosition());
-    if (isHeld && watched.isHeld && std::hypot(at.x - watched.at.x, at.y - watched.at.y) > kUnitsPerCell / 100.0)
-      return fmt::format("{}, a body moved while it was held", after);
+    if (isDisabled && watched.isDisabled &&
+        std::hypot(at.x - watched.at.x, at.y - watched.at.y) > kUnitsPerCell / 100.0)
+      return fmt::format("{}, a body moved while it was disabled", after);
     std::vector<bool> free;
     for (const b2Fixture* f = body->GetFixtureList(); f; f = f->GetNext()) {
       const b2Shape& shape = *f->GetShape();
@@ -35,11 +37,11 @@ std::string BodyWatch::look(const char* after) {
                                                         : static_cast<const b2PolygonShape&>(shape).m_centroid)));
     }
     for (std::size_t k = 0; k < free.size(); ++k) {
-      const bool wasFree = !watched.isHeld && k < watched.free.size() && watched.free[k];
-      if (!isHeld && wasFree && !free[k])
+      const bool wasFree = !watched.isDisabled && k < watched.free.size() && watched.free[k];
+      if (!isDisabled && wasFree && !free[k])
         return fmt::format("{}, a body is in the ground at ({}, {})", after, at.x, at.y);
     }
-    watched = {std::move(free), isHeld, at};
+    watched = {std::move(free), isDisabled, at};
   }
   return "";
 }

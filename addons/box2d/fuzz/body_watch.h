@@ -21,7 +21,7 @@ class BodyWatch {
   std::vector<b2Body*> bodies() const;                ///< the dynamic ones
   void leave(b2Body* body) { watched_.erase(body); }  ///< it is elsewhere, or no more
 
-  /// Law 13: a middle that was free is free, unless the body is held; then it does not move. Says what is wrong.
+  /// Law 13: a middle that was free is free, unless the body is disabled; then it does not move. Says what is wrong.
   std::string look(const char* after);
 
   /// What the terrain is asked is what the world says of the same places; `reach` is in metres, two cells.
@@ -30,7 +30,7 @@ class BodyWatch {
  private:
   struct Watched {
     std::vector<bool> free;  // each of its middles
-    bool isHeld = false;
+    bool isDisabled = false;
     Point at;
   };
 

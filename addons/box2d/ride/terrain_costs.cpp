@@ -180,9 +180,9 @@ BackAndForth hundredEdits(Field& field, Edit edit) {
 
 // Circles are painted and carved where 50 boxes are, in a closed world of 24×14 cells.
 struct AmongBodies {
-  std::vector<double> looks;  // caughtBy()
+  std::vector<double> looks;  // overlapsWith()
   std::vector<double> syncs;  // with what it looks at
-  std::size_t caught = 0;
+  std::size_t overlaps = 0;
 };
 AmongBodies amongBodies(int edits) {
   constexpr std::int32_t kWidth = 24, kHeight = 14;
@@ -204,7 +204,7 @@ AmongBodies amongBodies(int edits) {
     const Region region = circle({within(at.x, kWidth), within(at.y, kHeight)}, (2 + random.below(6)) * U / 4, 24);
     (void)(random.chance(40) ? paint(world, region, 2, PaintMode::fill) : carve(world, region));
     const Changes& changes = world.commit();
-    result.looks.push_back(processorMicroseconds([&] { result.caught += terrain.caughtBy(changes).size(); }));
+    result.looks.push_back(processorMicroseconds([&] { result.overlaps += terrain.overlapsWith(changes).size(); }));
     result.syncs.push_back(processorMicroseconds([&] { (void)terrain.sync(changes); }));
     for (int step = 0; step < 4; ++step) {
       terrain.beforeStep();
@@ -228,7 +228,7 @@ double noWayOut(Field& field) {
   physics.addBox(terrain.position({101 * U / 2, 101 * U / 2}), 0.9F);
   around([&](std::size_t at) { field.refill(at); });
   const Changes& changes = field.world.commit();
-  return leastOf([&] { return processorMicroseconds([&] { (void)terrain.caughtBy(changes); }); });
+  return leastOf([&] { return processorMicroseconds([&] { (void)terrain.overlapsWith(changes); }); });
 }
 
 double mean(const std::vector<double>& times) {
@@ -328,7 +328,8 @@ void run() {
     fmt::print("| {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |\n", what, mean(times), times[times.size() / 2],
                times[times.size() * 99 / 100], times.back());
   };
-  fmt::print("\n| {} edits where 50 boxes are, {} caught | mean, µs | median | 99 % | worst |\n", kEdits, among.caught);
+  fmt::print("\n| {} edits where 50 boxes are, {} overlaps | mean, µs | median | 99 % | worst |\n", kEdits,
+             among.overlaps);
   fmt::print("|---|---|---|---|---|\n");
   row("the sync", among.syncs);
   row("of it the look for bodies", among.looks);

@@ -1,6 +1,6 @@
 // Ground that changes under bodies: which of them it catches. It knows no Box2D.
 //
-// A form of a body *was free* if its middle was outside of the solid before. It is *caught* if it was free, and if its
+// A form of a body *was free* if its middle was outside of the solid before. It is *overlapped* if it was free, and if its
 // middle is in the solid now, or if a new piece of the outline reaches deeper than half its core. (Box2D pushes a body
 // out that is less deep. One that is deeper may pass through an edge.) Whether a middle was free follows from the
 // segments that came and went: the outline runs around each solid once, so its winding number changes by one where free
@@ -42,9 +42,9 @@ class NewGround {
   bool isFree(const Form& form) const;
   /// Whether it was, before the change.
   bool wasFree(const Form& form) const;
-  /// Whether a form that was free is caught.
+  /// Whether a form that was free is overlapped.
   bool catches(const Form& form) const;
-  /// How deep the ground is in a form that is caught: from half its core to all of it.
+  /// How deep the ground is in a form that is overlapped: from half its core to all of it.
   double depthIn(const Form& form) const;
 
   /// The outline now, and what was the outline before and is not any more: what lies in or near a box.

@@ -143,12 +143,12 @@ std::optional<DoublePoint> WayOut::find() {
 
 // What was in the solid before may pass through it, so it does not count.
 std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, Whose whose, double tolerance) {
-  const auto isCaught = [&](const Form& form) { return ground.catches(form); };
-  if (std::none_of(forms.begin(), forms.end(), isCaught)) return std::nullopt;
+  const auto isOverlapped = [&](const Form& form) { return ground.catches(form); };
+  if (std::none_of(forms.begin(), forms.end(), isOverlapped)) return std::nullopt;
   if (whose == Whose::free) std::erase_if(forms, [&](const Form& form) { return !ground.wasFree(form); });
   Catch found;
   for (const Form& form : forms)
-    if (isCaught(form)) found.depth = std::max(found.depth, ground.depthIn(form));
+    if (isOverlapped(form)) found.depth = std::max(found.depth, ground.depthIn(form));
   if (found.depth == 0) return std::nullopt;
   found.way = WayOut(ground, forms, tolerance).find();
   return found;

@@ -1,4 +1,4 @@
-// How a body that new ground has caught gets out. It knows no Box2D.
+// How a body that new ground overlaps gets out. It knows no Box2D.
 //
 // The way out is a straight move without a turn. In its place no edge of the outline reaches into a form by more than
 // a tolerance, and each middle is free. On the way no middle touches an edge of the *old* outline: so nobody comes
@@ -57,13 +57,13 @@ struct Catch {
   std::optional<DoublePoint> way;  ///< out of it, if there is one
 };
 
-/// Whose forms may be caught: those that were free before, or all, as bodies may have been moved meanwhile.
+/// Whose forms may be overlapped: those that were free before, or all, as bodies may have been moved meanwhile.
 enum class Whose { free, all };
 
 /// Whether new ground catches forms, and how they get out.
 std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, Whose whose, double tolerance);
 
-/// The way into freedom of forms that were caught before; nothing if they are to stay. `changed` is where the ground is
+/// The way into freedom of forms that were overlapped before; nothing if they are to stay. `changed` is where the ground is
 /// different from before.
 std::optional<DoublePoint> releaseOf(const World& world, std::span<const Form> forms, const Box& changed,
                                      double tolerance);

@@ -62,7 +62,7 @@ Played playLong(std::uint64_t seed, int bodies, std::int64_t moves) {
   played.lost = game.lost();
   played.pushes = game.pushes();
   played.holds = game.holds();
-  played.held = game.heldCount();
+  played.held = game.disabledCount();
   played.putBacks = game.putBacks();
   return played;
 }

@@ -211,10 +211,10 @@ TEST_F(Box2dRecipes, UndoingADigTakesTheBodyOutOfTheHole) {
   EXPECT_NEAR(positionOf(ball).y, -0.65F, 0.02F);  // in the hole
   EXPECT_TRUE(recipes::undo(world, *terrain, second));
   EXPECT_TRUE(terrain->isCurrent());
-  EXPECT_TRUE(terrain->caught().empty());
+  EXPECT_TRUE(terrain->overlaps().empty());
   EXPECT_TRUE(recipes::undo(world, *terrain, first));
   EXPECT_TRUE(terrain->isCurrent());
-  EXPECT_EQ(terrain->caught().size(), 1U);
+  EXPECT_EQ(terrain->overlaps().size(), 1U);
   EXPECT_EQ(terrain->edges().counts().edges, 28U);  // around 10 × 4 cells
   step(60);
   EXPECT_NEAR(positionOf(ball).y, 0.35F, 0.02F);

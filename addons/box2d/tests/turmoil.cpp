@@ -155,7 +155,7 @@ void Turmoil::sync(const Changes& changes) {
 }
 
 void Turmoil::count() {
-  for (const box2d::Caught& caught : terrain_->caught()) ++(caught.isFree ? pushes_ : holds_);
+  for (const box2d::Overlap& overlap : terrain_->overlaps()) ++(overlap.isFree ? pushes_ : holds_);
 }
 
 void Turmoil::undo(int steps) {
@@ -224,7 +224,7 @@ void Turmoil::act(const Move& move) {
   }
 }
 
-// The law: a middle that was free is free, unless the body is held, and then it does not move.
+// The law: a middle that was free is free, unless the body is disabled, and then it does not move.
 std::optional<std::string> Turmoil::look(const char* after) {
   std::optional<std::string> wrong;
   for (std::size_t k = 0; k < crowd_.bodies.size(); ++k) {
@@ -233,7 +233,7 @@ std::optional<std::string> Turmoil::look(const char* after) {
     const bool isHeld = !Crowd::isEnabled(body);
     const Point at = terrain_->latticePoint(Crowd::positionOf(body));
     if (isHeld && watched.isHeld && std::hypot(at.x - watched.at.x, at.y - watched.at.y) > U / 100 && !wrong)
-      wrong = std::string(after) + ", body " + std::to_string(k) + " moved while it was held";
+      wrong = std::string(after) + ", body " + std::to_string(k) + " moved while it was disabled";
     watched.at = at;
     const std::vector<Position> middles = Crowd::middlesOf(body);
     std::vector<bool> isFreeNow;

@@ -45,10 +45,10 @@ class Turmoil {
   /// What is wrong after a move and the steps after it, if anything is.
   std::optional<std::string> play(const Move& move);
 
-  /// Bodies that are inside the ground or out of the world, but for those that are held.
+  /// Bodies that are inside the ground or out of the world, but for those that are disabled.
   std::size_t lost() const;
   std::size_t bodyCount() const { return crowd_.bodies.size(); }
-  std::size_t heldCount() const { return terrain_->held().size(); }
+  std::size_t disabledCount() const { return terrain_->disabled().size(); }
   std::size_t pushes() const { return pushes_; }      ///< so far
   std::size_t holds() const { return holds_; }        ///< so far
   std::size_t putBacks() const { return putBacks_; }  ///< so far

@@ -345,7 +345,7 @@ class World {
   [[nodiscard]] tl::expected<Cell, SnapshotError> reload(std::span<const std::byte> chunk) noexcept;
 
   /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their
-  /// ground anew, with edits, before the next commit. What they held is given up at all marks, too: whoever goes back
+  /// ground anew, with edits, before the next commit. What they held is given up at all marks, too: a roll-back
   /// finds them empty. Handles from before name nothing, and are never given out again. Returns how many chunks these
   /// are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells
   /// of these chunks, and of each to what is kept to go back.

@@ -1,15 +1,15 @@
-// Law 13, nobody is buried: bodies in ground that changes. It is the same for each physics engine; docs/box2d.md tells
-// it. What is decided here is what to do; TerrainRules knows who is caught.
-import type { Box, Form, Frame, OnCaught, Point, TerrainRules } from './terrain.js'
+// Law 13, no body inside the ground: bodies in ground that changes. It is the same for each physics engine; docs/box2d.md describes
+// it. What is decided here is what to do; TerrainRules knows which bodies overlap.
+import type { Box, Form, Frame, OnOverlap, Point, TerrainRules } from './terrain.js'
 
 /** A body that new ground would hold, or holds. */
-export interface Caught<Body> {
+export interface Overlap<Body> {
   readonly body: Body
   /** How deep the ground is in it, in metres: from half way to its middle on. */
   readonly depth: number
   /** Whether there is a way out, and it, in metres. */
   readonly isFree: boolean
-  readonly way: Point
+  readonly displacement: Point
 }
 
 /** Where a body is: its origin in cells, so that the origin of the physics world may move, and how it is turned. */
@@ -47,7 +47,7 @@ export interface Physics<Body, Material> {
   wake(body: Body): void
 }
 
-/** Who has moved by less since it was free can not have come through anything. */
+/** A body that moved by less since it was free can not have come through anything. */
 const isFar = (a: Point, b: Point) => Math.abs(a.x - b.x) > 1 / 16 || Math.abs(a.y - b.y) > 1 / 16
 const isSame = (a: Place, b: Place) => a.x === b.x && a.y === b.y && a.cos === b.cos && a.sin === b.sin
 const nowhere = { x: 0, y: 0 }
@@ -62,10 +62,10 @@ const steps = [0, 1, 2, 3].flatMap((far) => {
 })
 
 export class Bodies<Body, Material> {
-  caught: readonly Caught<Body>[] = []
+  overlaps: readonly Overlap<Body>[] = []
   readonly #physics: Physics<Body, Material>
   readonly #rules: TerrainRules<Material>
-  #held: Body[] = []
+  #disabled: Body[] = []
   readonly #footings = new Map<unknown, { body: Body; place: Place }>() // where bodies were free last
 
   constructor(physics: Physics<Body, Material>, rules: TerrainRules<Material>) {
@@ -73,40 +73,40 @@ export class Bodies<Body, Material> {
     this.#rules = rules
   }
 
-  get held(): Body[] { return [...this.#held] }
-  get holdsSomebody(): boolean { return this.#held.length > 0 }
+  get disabled(): Body[] { return [...this.#disabled] }
+  get holdsSomebody(): boolean { return this.#disabled.length > 0 }
 
   get #tolerance(): number { return this.#physics.slop / this.#physics.frame.cellSize }
   #formsOf(body: Body) { return this.#physics.formsOf(body, this.#physics.placeOf(body)) }
 
-  /** Between the halves of a sync: who is caught by what changed within a box. */
-  find(box: Box): Caught<Body>[] {
+  /** Between the halves of a sync: which bodies overlap what changed within a box. */
+  find(box: Box): Overlap<Body>[] {
     const { cellSize } = this.#physics.frame
-    const all: Caught<Body>[] = []
+    const all: Overlap<Body>[] = []
     for (const body of this.#physics.near(box)) {
-      const found = this.#rules.caught(this.#formsOf(body), this.#tolerance)
+      const found = this.#rules.overlap(this.#formsOf(body), this.#tolerance)
       if (found === null) continue
       const { x, y } = found.way ?? nowhere
-      all.push({ body, depth: found.depth * cellSize, isFree: found.way !== null, way: { x: x * cellSize, y: y * cellSize } })
+      all.push({ body, depth: found.depth * cellSize, isFree: found.way !== null, displacement: { x: x * cellSize, y: y * cellSize } })
     }
     return all
   }
 
-  /** After a sync. Those that were held before come first. So who is caught now is not tried twice. */
-  settle(hasChanged: boolean, onCaught: OnCaught): void {
+  /** After a sync. Those that were disabled before come first. So a body that overlaps now is not tried twice. */
+  settle(hasChanged: boolean, onOverlap: OnOverlap): void {
     const physics = this.#physics
-    if (this.#held.length > 0) {
-      const isAlive = physics.isAlive(this.#held)
-      this.#held = this.#held.filter((body) =>
+    if (this.#disabled.length > 0) {
+      const isAlive = physics.isAlive(this.#disabled)
+      this.#disabled = this.#disabled.filter((body) =>
         isAlive(body) && !physics.isEnabled(body) && !(hasChanged && this.#release(body)))
     }
-    for (const { body, isFree, way } of this.caught) {
-      if (isFree && onCaught === 'push') {
-        this.#push(body, way)
+    for (const { body, isFree, displacement } of this.overlaps) {
+      if (isFree && onOverlap === 'push') {
+        this.#push(body, displacement)
       } else {
         physics.setVelocity(body, nowhere, true)
         physics.setEnabled(body, false)
-        this.#held.push(body)
+        this.#disabled.push(body)
       }
     }
   }
@@ -144,7 +144,7 @@ export class Bodies<Body, Material> {
     else this.#footings.delete(this.#physics.keyOf(body))
   }
 
-  /** Notes where those are. Who is in the ground comes back to where it was free. */
+  /** Notes where those are. A body in the ground comes back to where it was free. */
   beforeStep(): void {
     const physics = this.#physics
     physics.eachToNote(Array.from(this.#footings.values(), ({ body }) => body), (body) => {
@@ -170,7 +170,7 @@ export class Bodies<Body, Material> {
     for (const [key, { body }] of this.#footings) if (!isAlive(body)) this.#footings.delete(key)
   }
 
-  /** Who was pressed through an edge in a step, or came through ground, is put back to where it was free; they. */
+  /** Puts bodies that were pressed through an edge in a step, or came through ground, back to where they were free. Returns them. */
   afterStep(): Body[] {
     const physics = this.#physics
     const moved: { body: Body; place: Place; forms: Form<Material>[] }[] = [], middles: number[] = []

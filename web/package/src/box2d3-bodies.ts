@@ -119,7 +119,7 @@ export interface Material {
   categoryBits?: number
   maskBits?: number
   groupIndex?: number
-  /** Bodies may be inside, as in a one-way platform: new ground of this block catches nobody. */
+  /** Bodies may be inside, as in a one-way platform: new ground of this block overlaps no body. */
   isPassable?: boolean
 }
 
@@ -201,7 +201,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
     if (stops) this.box2d.b2Body_SetAngularVelocity(body, 0)
   }
 
-  #canBeCaught(body: ObjectId): boolean {
+  #canOverlap(body: ObjectId): boolean {
     return this.box2d.b2Body_GetType(body).value === dynamic && this.box2d.b2Body_IsEnabled(body)
   }
 
@@ -209,7 +209,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
     const bodies = new Map<number, ObjectId>()
     this.#shapesIn(box, ({ shapeId }) => {
       const body = this.box2d.b2Shape_GetBody(shapeId)
-      if (!bodies.has(idOf(body)) && this.#canBeCaught(body) && !this.box2d.b2Shape_IsSensor(shapeId)) bodies.set(idOf(body), body)
+      if (!bodies.has(idOf(body)) && this.#canOverlap(body) && !this.box2d.b2Shape_IsSensor(shapeId)) bodies.set(idOf(body), body)
       return true
     })
     return [...bodies.values()]
@@ -220,7 +220,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
     for (let k = 0; k < events.moveCount; ++k) {
       const event = events.GetMoveEvent(k), body = event.bodyId
       event.delete()
-      if (this.box2d.b2Body_IsValid(body) && this.#canBeCaught(body)) moved(body)
+      if (this.box2d.b2Body_IsValid(body) && this.#canOverlap(body)) moved(body)
     }
     events.delete()
   }
@@ -228,7 +228,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
   // Box2D lists no bodies, but counts them. If there are as many as before that are not known, none has come.
   eachToNote(known: readonly ObjectId[], note: (body: ObjectId) => void): void {
     const alive = known.filter((body) => this.box2d.b2Body_IsValid(body)), ids = new Set(alive.map(idOf))
-    for (const body of alive) if (this.#canBeCaught(body)) note(body)
+    for (const body of alive) if (this.#canOverlap(body)) note(body)
     const others = this.bodyCount() - alive.length
     if (others === this.#others) return
     for (const body of this.near(everywhere)) if (!ids.has(idOf(body))) note(body)

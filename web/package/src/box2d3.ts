@@ -3,7 +3,7 @@
 // of its chunk of cells. A chain cannot be changed, so one that gets another ghost is made anew.
 //
 // Box2D cannot use edges as short as its linear slop. Which short segments are welded into one edge, and which are left
-// out, is decided in C++; docs/box2d.md tells it.
+// out, is decided in C++; docs/box2d.md describes it.
 import { Box2dBodies, idOf } from './box2d3-bodies.js'
 import type { Box2D, Material, ObjectId, PhysicsId } from './box2d3-bodies.js'
 import type { CommonOptions, EdgeChanges, Point } from './terrain.js'
@@ -11,8 +11,8 @@ import { type Adapter, TerrainBase } from './terrain-base.js'
 import type { Hit, SegmentId, World } from './types.js'
 
 export type { Box2D, Material, ObjectId, PhysicsId, Vec2 } from './box2d3-bodies.js'
-export type { Caught } from './bodies.js'
-export type { OnCaught } from './terrain.js'
+export type { Overlap } from './bodies.js'
+export type { OnOverlap } from './terrain.js'
 export { cutOut } from './terrain-base.js'
 export { FallingGround } from './box2d3-falling.js'
 export type { Falling, FallingOptions } from './box2d3-falling.js'

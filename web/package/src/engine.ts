@@ -68,7 +68,7 @@ export interface Exports {
   chunkOf(terrain: number, chunk: number): void
   edgeOf(terrain: number, segment: number): number
   segmentAt(terrain: number, edge: number, x: number, y: number): number
-  caught(terrain: number, forms: number, numbers: number, tolerance: number): number
+  overlap(terrain: number, forms: number, numbers: number, tolerance: number): number
   released(terrain: number, forms: number, numbers: number, tolerance: number): number
   fits(terrain: number, forms: number, numbers: number, tolerance: number): number
   crossed(terrain: number, forms: number, numbers: number): number

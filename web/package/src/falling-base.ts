@@ -55,7 +55,7 @@ export interface Maker<Body> {
   destroy(body: Body): void
 }
 
-/** The ground of one world that falls. What it makes is yours to move; who destroys a body calls forget(). */
+/** The ground of one world that falls. What it makes is yours to move; call forget() when you destroy a body. */
 export abstract class FallingBase<Body, Material> {
   readonly #terrain: TerrainBase<Body, any>
   readonly #islands: Islands

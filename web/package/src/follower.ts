@@ -1,4 +1,4 @@
-// What islands and pieces have in common: a view of a world in the engine, which is told of each commit and roll-back.
+// What islands and pieces have in common: a view of a world in the engine, which is notified of each commit and roll-back.
 import { object } from './check.js'
 import type { Engine } from './engine.js'
 import { LgsError } from './error.js'

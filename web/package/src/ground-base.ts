@@ -197,7 +197,7 @@ export abstract class GroundBase<Body> {
     this.#newLand.push({ chunk, at: this.#now })
   }
 
-  /** An undo took away land that was made since; nobody has dug there at that time. */
+  /** An undo took away land that was made since; at that time nothing was dug there. */
   #remakeLand(): void {
     const again = this.#newLand.filter(({ at }) => at >= this.#now)
     if (again.length === 0) return
@@ -278,7 +278,7 @@ export abstract class GroundBase<Body> {
     return found
   }
 
-  /** For questions: who edits or commits it goes around this object. load() makes another one. */
+  /** For questions: to edit or commit it goes around this object. load() makes another one. */
   get world(): World { return this.#world }
   /** For questions. */
   get islands(): Islands { return this.#islands }

@@ -55,7 +55,7 @@ export function stream(world: World, { i0, j0, i1, j1 }: CellRect, shelf: Shelf)
   return true
 }
 
-/** The land of a chunk that nobody has seen yet. */
+/** The land of a chunk that was never loaded. */
 export function makeLand(world: World, chunk: CellRect, make: (land: World, chunk: CellRect) => void, options: WorldOptions): void {
   const land = createWorld(options)
   try {

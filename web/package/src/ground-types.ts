@@ -1,4 +1,4 @@
-// What a Ground is told by, and what it hands out. Lengths and positions are in cells, y up.
+// What a Ground is set up by, and what it hands out. Lengths and positions are in cells, y up.
 import type { Anchors, GroundBody } from './island-types.js'
 import type { Block, CellRect, Changes, World, WorldOptions } from './types.js'
 
@@ -17,7 +17,7 @@ export interface GroundOptions {
   readonly anchors?: Anchors
   readonly preserve?: WorldOptions['preserve']
   /**
-   * Makes the land of a chunk that nobody has seen yet, when a window comes near it: with edits inside its cells alone,
+   * Makes the land of a chunk that was never loaded, when a window comes near it: with edits inside its cells alone,
    * which hold nothing; the same for the same chunk, in whichever world and whenever it is asked.
    */
   readonly land?: (land: World, chunk: CellRect) => void
@@ -25,7 +25,7 @@ export interface GroundOptions {
   readonly shelf?: Shelf
   /** How many strokes can be undone: 64, if it is not given. */
   readonly undoSteps?: number
-  /** Hears of each commit, roll-back and roll-forward, for further views. After a load() they begin anew. */
+  /** Is notified of each commit, roll-back and roll-forward, for further views. After a load() they begin again. */
   readonly follow?: (world: World, changes: Changes) => void
 }
 

@@ -33,17 +33,17 @@ export interface IslandPair {
 }
 
 /**
- * What an update did: it compares the moment before with the moment after. Islands are kin if the solid of both moments
- * together connects them. Of each kin the largest of now has the id of the largest of before.
+ * What an update did: it compares the moment before with the moment after. Islands correspond if the solid of both moments
+ * together connects them. Of those that correspond the largest of now has the id of the largest of before.
  */
 export interface IslandChanges {
-  /** New ids, of islands without kin before. */
+  /** New ids, of islands to which none before corresponds. */
   readonly added: readonly IslandId[]
-  /** Ids that are no more, of islands without kin now. */
+  /** Ids that are no more, of islands to which none of now corresponds. */
   readonly removed: readonly IslandId[]
   /** Ids that stay, of islands with another outer loop or other anchors. */
   readonly changed: readonly IslandId[]
-  /** `into` is new. `from` is the largest of its kin: that may be the one that nothing holds. */
+  /** `into` is new. `from` is the largest that corresponds: that may be the one that nothing holds. */
   readonly cutOff: readonly IslandPair[]
   /** `from` is no more. */
   readonly joined: readonly IslandPair[]

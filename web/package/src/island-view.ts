@@ -12,7 +12,7 @@ function numbersOf({ blocks = [], cells = [] }: Anchors): number[] {
   return [ids.length, ...ids, ...Array.from(cells, rect).flatMap(({ i0, j0, i1, j1 }) => [i0, j0, i1, j1])]
 }
 
-/** The island of all ground that is unloaded, or hangs together with such ground: nobody knows what holds it, so it never
+/** The island of all ground that is unloaded, or hangs together with such ground: what holds it is not known, so it never
  *  falls. It is not among all(), and has no facts. */
 export const beyond: IslandId = 2 ** 32 - 1
 
@@ -85,11 +85,11 @@ export class Islands extends Follower {
     return call.islandOf(view, world, polygon) >>> 0
   }
 
-  /** Takes an island out of the ground: an edit, which the next commit tells. What lies in its holes stays. */
+  /** Takes an island out of the ground: an edit, which the next commit reports. What lies in its holes stays. */
   take(id: IslandId): GroundBody { return this.#take(id, 0)[0]! }
 
   /**
-   * The same for those who want solids apart that touch in points only: a body for each part whose polygons share more
+   * The same, to keep solids apart that touch in points only: a body for each part whose polygons share more
    * than points. All of them leave the ground.
    */
   takeApart(id: IslandId): GroundBody[] { return this.#take(id, 1) }

@@ -1,6 +1,6 @@
 // Lists of segments. The engine writes those of a commit into one block of its memory; here the block is copied, and
-// looked at where somebody asks. So what is handed out stays what it is when the memory of WebAssembly grows, and
-// whoever posts it does not post all memory.
+// looked at where they are read. So what is handed out stays what it is when the memory of WebAssembly grows, and
+// to post one does not post all memory.
 import type { Engine } from './engine.js'
 import { LgsError } from './error.js'
 import { inspect, shown } from './inspect.js'

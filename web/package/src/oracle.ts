@@ -1,4 +1,4 @@
-// The naive reference of the harness: what the outline of a trace must be, whoever's engine made another one.
+// The naive reference of the harness: what the outline of a trace must be, whichever engine made another one.
 //
 //   import { init, outline } from 'localgridseg/oracle'
 //   await init()

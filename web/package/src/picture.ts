@@ -46,7 +46,7 @@ export class GroundPicture {
   readonly #squares = new Map<string, Drawn>()
   readonly #rocks = new WeakMap<object, Drawn>()
 
-  /** It is told what changed by ground.draw(), which nobody else must ask then. */
+  /** It gets what changed from ground.draw(), which nothing else must call then. */
   constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, canvas: HTMLCanvasElement, colours: Readonly<Record<number, string>>, options: PictureOptions = {}) {
     if (typeof ground?.draw !== 'function' || typeof ground.rocks !== 'function') throw bad('ground', 'a Ground', ground)
     if (typeof canvas?.getContext !== 'function') throw bad('canvas', 'a canvas', canvas)

@@ -42,7 +42,7 @@ const mostCells = 2 ** 24
 /**
  * The convex pieces of a world, on vertices that are there already. The solid pieces of a cell make up its polygons, and
  * the free ones what they leave of it. Make it while no edit waits for its commit and while there is no mark, and give
- * it each commit's and roll-back's changes. docs/pieces.md tells all of it.
+ * it each commit's and roll-back's changes. docs/pieces.md describes all of it.
  */
 export class Pieces extends Follower {
   /** Reads all polygons once. */

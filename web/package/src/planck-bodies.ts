@@ -10,7 +10,7 @@ export type Material = Pick<
   FixtureOpt,
   'friction' | 'restitution' | 'filterCategoryBits' | 'filterMaskBits' | 'filterGroupIndex'
 > & {
-  /** Bodies may be inside, as in a one-way platform: new ground of this block catches nobody. */
+  /** Bodies may be inside, as in a one-way platform: new ground of this block overlaps no body. */
   isPassable?: boolean
 }
 
@@ -37,7 +37,7 @@ export function isPhysics(physics: Physics): void {
   if ([createBody, on, queryAABB].some((f) => typeof f !== 'function')) throw bad('physics', 'a World of planck', physics)
 }
 
-const canBeCaught = (body: Body) => body.isDynamic() && body.isActive()
+const canOverlap = (body: Body) => body.isDynamic() && body.isActive()
 
 export abstract class PlanckBodies implements OfPhysics<Body, Material> {
   readonly physics: Physics
@@ -74,7 +74,7 @@ export abstract class PlanckBodies implements OfPhysics<Body, Material> {
     const bodies = new Set<Body>()
     this.physics.queryAABB({ lowerBound: this.metres({ x: x0, y: y0 }), upperBound: this.metres({ x: x1, y: y1 }) }, (fixture) => {
       const body = fixture.getBody()
-      if (canBeCaught(body) && !fixture.isSensor()) bodies.add(body)
+      if (canOverlap(body) && !fixture.isSensor()) bodies.add(body)
       return true
     })
     return [...bodies]
@@ -82,10 +82,10 @@ export abstract class PlanckBodies implements OfPhysics<Body, Material> {
 
   eachMoved(moved: (body: Body) => void): void {
     for (let body = this.physics.getBodyList(); body; body = body.getNext())
-      if (canBeCaught(body) && body.isAwake()) moved(body)
+      if (canOverlap(body) && body.isAwake()) moved(body)
   }
   eachToNote(_known: readonly Body[], note: (body: Body) => void): void {
-    for (let body = this.physics.getBodyList(); body; body = body.getNext()) if (canBeCaught(body)) note(body)
+    for (let body = this.physics.getBodyList(); body; body = body.getNext()) if (canOverlap(body)) note(body)
   }
   bodyCount(): number { return this.physics.getBodyCount() }
 

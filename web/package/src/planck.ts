@@ -1,5 +1,5 @@
 // Terrain for planck: the outline of a world as static edges with ghost vertices, kept up to date there.
-// Each segment is one fixture. It is on the body of its chunk of cells. docs/box2d.md tells the same story for Box2D.
+// Each segment is one fixture. It is on the body of its chunk of cells. docs/box2d.md describes the same for Box2D.
 // planck's edges push to both sides. Here they are one-sided, as in Box2D: what comes from the solid's side passes.
 import { type AABBValue, type Body, type Contact, EdgeShape, type Fixture, type Vec2Value, WorldManifold, type World as Physics } from 'planck'
 import { isPhysics, PlanckBodies } from './planck-bodies.js'
@@ -9,8 +9,8 @@ import { type Adapter, TerrainBase } from './terrain-base.js'
 import type { Hit, SegmentId, World } from './types.js'
 
 export type { Material } from './planck-bodies.js'
-export type { Caught } from './bodies.js'
-export type { OnCaught } from './terrain.js'
+export type { Overlap } from './bodies.js'
+export type { OnOverlap } from './terrain.js'
 export { cutOut } from './terrain-base.js'
 export { FallingGround } from './planck-falling.js'
 export type { Falling, FallingOptions } from './planck-falling.js'

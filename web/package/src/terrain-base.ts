@@ -1,8 +1,8 @@
 // A terrain for whichever physics engine: when which of its edges and bodies change. planck.ts and box2d3.ts say how.
 import { bad, object, real, rect } from './check.js'
-import { Bodies, type Caught, type Physics } from './bodies.js'
+import { Bodies, type Overlap, type Physics } from './bodies.js'
 import { LgsError } from './error.js'
-import { checked, type CommonOptions, type EdgeChanges, type Frame, type OnCaught, onCaughtOf, originOf, type Point, TerrainRules } from './terrain.js'
+import { checked, type CommonOptions, type EdgeChanges, type Frame, type OnOverlap, onOverlapOf, originOf, type Point, TerrainRules } from './terrain.js'
 import type { CellRect, Changes, Region, World } from './types.js'
 import { placeOf } from './world.js'
 
@@ -12,7 +12,7 @@ export interface Adapter<Body, Material> extends Physics<Body, Material> {
   isInStep(): boolean
   /** Whether there are no bodies but the terrain's. */
   isAlone(): boolean
-  /** Removes, makes and relinks edges, and wakes who is there. */
+  /** Removes, makes and relinks edges, and wakes the bodies there. */
   apply(changes: EdgeChanges): void
   /** Moves the bodies of chunks to where they are now. */
   placeChunks(): void
@@ -27,7 +27,7 @@ export abstract class TerrainBase<Body, Material> {
   protected readonly rules: TerrainRules<Material>
   protected readonly frame: Frame
   protected readonly chunkCells: number
-  readonly #onCaught: OnCaught
+  readonly #onOverlap: OnOverlap
   #adapter!: Adapter<Body, Material>
   #bodies!: Bodies<Body, Material>
   #isSyncing = false
@@ -35,11 +35,11 @@ export abstract class TerrainBase<Body, Material> {
 
   /** `shortest` is in metres. */
   protected constructor(world: World, options: CommonOptions<Material>, shortest: number, more: readonly string[] = []) {
-    const { cellSize, origin, chunkCells, merge, onCaught, material } = checked(options, more)
+    const { cellSize, origin, chunkCells, merge, onOverlap, material } = checked(options, more)
     this.world = world
     this.frame = { cellSize, origin }
     this.chunkCells = chunkCells
-    this.#onCaught = onCaught
+    this.#onOverlap = onOverlap
     this.rules = new TerrainRules(world, chunkCells, shortest / cellSize, merge, material)
   }
 
@@ -60,11 +60,11 @@ export abstract class TerrainBase<Body, Material> {
    * 'busy' in a step of the physics world, as in a listener of contacts: note what was hit, and dig after the step.
    * 'left-out', 'shown-already', 'not-the-last' if the changes do not follow what is shown: resync() repairs that.
    */
-  sync(changes: Changes, onCaught: OnCaught = this.#onCaught): void {
-    onCaughtOf(onCaught)
+  sync(changes: Changes, onOverlap: OnOverlap = this.#onOverlap): void {
+    onOverlapOf(onOverlap)
     this.#during(() => {
       if (!this.rules.fits(changes)) return
-      this.#show('last', onCaught, () => this.rules.end())
+      this.#show('last', onOverlap, () => this.rules.end())
     })
   }
 
@@ -79,23 +79,23 @@ export abstract class TerrainBase<Body, Material> {
   /**
    * Compares the terrain with its world, and changes what differs, after changes were left out. Or with another world,
    * which is the terrain's from now on: one that was loaded. Free the old one after that, not before. Bodies may have
-   * been put elsewhere meanwhile: whoever is in the ground is pushed or held, and whoever is held and free is released.
+   * been put elsewhere meanwhile: a body in the ground is pushed or disabled, and one that is disabled and free is enabled.
    */
   resync(world: World = this.world): void {
     this.#during(() => {
       this.rules.follow(world)
       this.world = world
-      this.#show('all', this.#onCaught, () => this.rules.endAll())
+      this.#show('all', this.#onOverlap, () => this.rules.endAll())
     })
   }
 
-  #show(which: 'last' | 'all', onCaught: OnCaught, end: () => EdgeChanges): void {
-    const bodies = this.#bodies, catches = onCaught !== 'leave'
+  #show(which: 'last' | 'all', onOverlap: OnOverlap, end: () => EdgeChanges): void {
+    const bodies = this.#bodies, catches = onOverlap !== 'leave'
     const matters = which === 'all' || ((catches || bodies.holdsSomebody) && !this.#adapter.isAlone())
     const box = matters ? this.rules.begin(which) : null
-    bodies.caught = box !== null && catches ? bodies.find(box) : []
+    bodies.overlaps = box !== null && catches ? bodies.find(box) : []
     this.#adapter.apply(end())
-    bodies.settle(box !== null, onCaught)
+    bodies.settle(box !== null, onOverlap)
     if (which === 'all') bodies.noteAll(box!)
   }
 
@@ -140,17 +140,17 @@ export abstract class TerrainBase<Body, Material> {
   // --- Bodies: law 13
 
   /** Between a commit and its sync(): which bodies the new ground would hold, how deep, and their way out. */
-  caughtBy(changes: Changes): Caught<Body>[] {
+  overlapsWith(changes: Changes): Overlap<Body>[] {
     if (!this.rules.fits(changes)) return []
     const box = this.rules.begin('last')
     return box === null ? [] : this.#asked.find(box)
   }
 
-  /** Who was caught by the last sync() or resync(), and pushed or held. */
-  get caught(): readonly Caught<Body>[] { return this.#bodies.caught }
+  /** The bodies that the last sync() or resync() pushed or disabled. */
+  get overlaps(): readonly Overlap<Body>[] { return this.#bodies.overlaps }
 
-  /** Who is held now. */
-  get held(): Body[] { return this.#bodies.held }
+  /** The bodies that are disabled now. */
+  get disabled(): Body[] { return this.#bodies.disabled }
 
   /**
    * Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game has
@@ -220,14 +220,14 @@ export abstract class TerrainBase<Body, Material> {
 }
 
 /**
- * Shows changes, as sync() does. But who is caught by them stays where it is: its outline is carved out of the ground,
+ * Shows changes, as sync() does. But the bodies that overlap them stay where they are: their outlines are carved out of the ground,
  * and that is committed and shown as well. If a brush is refused somewhere, because a cell is full to its limits, the
  * terrain does with bodies what its options say.
  */
 export function cutOut<Body, Material>(terrain: TerrainBase<Body, Material>, world: World, changes: Changes): void {
   if (!(terrain instanceof TerrainBase)) throw bad('terrain', 'a terrain', terrain)
   placeOf(world)
-  const regions = terrain.caughtBy(changes).map(({ body }) => terrain.outlinesOf(body))
+  const regions = terrain.overlapsWith(changes).map(({ body }) => terrain.outlinesOf(body))
   // The terrain is told of the changes while they are the last ones: what is carved comes with the next commit.
   const isCut = regions.every((region) => carved(world, region))
   isCut ? terrain.sync(changes, 'leave') : terrain.sync(changes)

@@ -21,8 +21,8 @@ export interface Form<Material> extends Point {
   holds(material: Material): boolean
 }
 
-/** What is done with bodies that new ground has caught. */
-export type OnCaught = 'push' | 'hold' | 'leave'
+/** What is done with bodies that new ground overlaps. */
+export type OnOverlap = 'push' | 'disable' | 'leave'
 
 export interface CommonOptions<Material> {
   /** The side of a cell in metres; 1 if not given. */
@@ -39,12 +39,12 @@ export interface CommonOptions<Material> {
   /** Asked once for each block. It may use the package. If it throws, nothing has changed. */
   material?: (block: Block) => Material
   /**
-   * What is done with bodies that new ground has caught. 'push' (the default): they are moved out, by the shortest
-   * straight way that was found, and none of their middles crosses an edge of the old outline; who has no such way is
-   * held. 'hold': they are disabled, and enabled when a later sync nearby has made room. 'leave': nothing; they may fall
+   * What is done with bodies that new ground overlaps. 'push' (the default): they are moved out, by the shortest
+   * straight way that was found, and none of their middles crosses an edge of the old outline; a body without such a way is
+   * disabled. 'disable': they are disabled, and enabled when a later sync nearby has made room. 'leave': nothing; they may fall
    * through the ground.
    */
-  onCaught?: OnCaught
+  onOverlap?: OnOverlap
 }
 
 export interface Frame {
@@ -52,23 +52,23 @@ export interface Frame {
   origin: { readonly i: number; readonly j: number }
 }
 
-export function onCaughtOf(value: OnCaught | undefined): OnCaught {
-  if (value !== undefined && value !== 'push' && value !== 'hold' && value !== 'leave')
-    throw bad('onCaught', "'push', 'hold' or 'leave'", value)
+export function onOverlapOf(value: OnOverlap | undefined): OnOverlap {
+  if (value !== undefined && value !== 'push' && value !== 'disable' && value !== 'leave')
+    throw bad('onOverlap', "'push', 'disable' or 'leave'", value)
   return value ?? 'push'
 }
 
-const names = ['cellSize', 'origin', 'chunkCells', 'merge', 'material', 'onCaught'] as const
+const names = ['cellSize', 'origin', 'chunkCells', 'merge', 'material', 'onOverlap'] as const
 
 /** The options, checked. A terrain may have `more` of them. */
 export function checked<Material>(options: CommonOptions<Material>, more: readonly string[]) {
-  const { cellSize = 1, origin = { i: 0, j: 0 }, chunkCells = 16, merge = false, material, onCaught } =
+  const { cellSize = 1, origin = { i: 0, j: 0 }, chunkCells = 16, merge = false, material, onOverlap } =
     known('options', [...names, ...more] as typeof names[number][], options)
   if (typeof merge !== 'boolean') throw bad('merge', 'true or false', merge)
   within('cellSize', cellSize, 2e-6, 1e9)
   within('chunkCells', int32('chunkCells', chunkCells), 1, 4096)
   if (material !== undefined && typeof material !== 'function') throw bad('material', 'a function', material)
-  return { cellSize, origin: originOf(origin), chunkCells, merge, onCaught: onCaughtOf(onCaught), material: material ?? (() => ({}) as Material) }
+  return { cellSize, origin: originOf(origin), chunkCells, merge, onOverlap: onOverlapOf(onOverlap), material: material ?? (() => ({}) as Material) }
 }
 
 export function originOf(cell: { readonly i: number; readonly j: number }) {
@@ -248,14 +248,14 @@ export class TerrainRules<Material> {
   // --- Bodies
 
   /** Whether the change between begin() and end() catches a body of these forms; how deep, and the way out. */
-  caught(forms: readonly Form<Material>[], tolerance: number): { depth: number; way: Point | null } | null {
+  overlap(forms: readonly Form<Material>[], tolerance: number): { depth: number; way: Point | null } | null {
     const engine = this.#engine
-    if (!this.#ask(engine, forms, (numbers) => engine.call.caught(this.#terrain, forms.length, numbers, tolerance))) return null
+    if (!this.#ask(engine, forms, (numbers) => engine.call.overlap(this.#terrain, forms.length, numbers, tolerance))) return null
     const [depth, isFree, x, y] = engine.answer(4) as unknown as [number, number, number, number]
     return { depth, way: isFree ? { x, y } : null }
   }
 
-  /** The way of who was held into freedom, where the last change has made room for it. */
+  /** The way of a disabled body into freedom, where the last change has made room for it. */
   released(forms: readonly Form<Material>[], tolerance: number): Point | null {
     const engine = this.#engine
     if (!this.#ask(engine, forms, (numbers) => engine.call.released(this.#terrain, forms.length, numbers, tolerance))) return null

@@ -16,6 +16,6 @@ for (const seed of seeds.length > 0 ? seeds : ['1', '2', '3', '4', '5']) {
     if (now !== null) wrong ??= `move ${k}: ${now}`
   }
   console.log(`${engine}, seed ${seed}, ${game.bodyCount} bodies, ${steps} steps: ${game.lost} lost, ${game.pushes} pushed, ` +
-    `${game.holds} held, ${game.heldCount} of them at the end, ${game.putBacks} put back; ${wrong ?? 'the law held'}`)
+    `${game.holds} held, ${game.disabledCount} of them at the end, ${game.putBacks} put back; ${wrong ?? 'the law held'}`)
   game.end()
 }

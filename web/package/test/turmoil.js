@@ -55,7 +55,7 @@ export class Turmoil {
   }
 
   get bodyCount() { return this.#crowd.bodies.length }
-  get heldCount() { return this.#terrain.held.length }
+  get disabledCount() { return this.#terrain.disabled.length }
   end() {
     this.#terrain.destroy()
     this.#crowd.destroy?.()
@@ -162,7 +162,7 @@ export class Turmoil {
     this.#terrain.sync(changes)
     this.#count()
   }
-  #count() { for (const { isFree } of this.#terrain.caught) isFree ? ++this.pushes : ++this.holds }
+  #count() { for (const { isFree } of this.#terrain.overlaps) isFree ? ++this.pushes : ++this.holds }
 
   #undo(steps) {
     if (this.#now === 0) return

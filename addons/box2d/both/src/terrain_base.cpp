@@ -14,7 +14,7 @@ TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions opt
     : physics_(physics),
       world_(world),
       frame_{options.cellSize, options.origin, options.chunkCells},
-      onCaught_(options.onCaught),
+      onOverlap_(options.onOverlap),
       materials_(std::move(options.material)),
       edges_({.chunkCells = options.chunkCells,
               .shortest = frame_.unitsOf(slop()),
@@ -36,27 +36,28 @@ tl::expected<void, SyncError> TerrainBase::commit(World& world) noexcept {
   return sync(world.commit());
 }
 
-tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) noexcept { return sync(changes, onCaught_); }
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) noexcept { return sync(changes, onOverlap_); }
 
-tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnCaught onCaught) noexcept {
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnOverlap onOverlap) noexcept {
   if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
   assertUnlocked(physics_);
-  const bool catches = onCaught != OnCaught::leave && !isAlone();
+  const bool catches = onOverlap != OnOverlap::leave && !isAlone();
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
   const EdgeChanges& edges = edges_.update(world_, changes);
   const std::vector<BodyHandle> near = wakeAround(edges, catches ? ground.boxes() : std::vector<Box>());
-  caught_ = catches ? find(near, ground, Whose::free) : std::vector<Caught>();
+  overlaps_ = catches ? find(near, ground, Whose::free) : std::vector<Overlap>();
   apply(edges);
-  settle(ground.box(), onCaught);
+  settle(ground.box(), onOverlap);
   return {};
 }
 
 void TerrainBase::resync() noexcept {
   assertUnlocked(physics_);
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
-  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(catchableIn(kEverywhere), ground, Whose::all);
+  overlaps_ =
+      onOverlap_ == OnOverlap::leave ? std::vector<Overlap>() : find(catchableIn(kEverywhere), ground, Whose::all);
   loadEdges();
-  settle(kEverywhere, onCaught_);
+  settle(kEverywhere, onOverlap_);
   noteAll();
 }
 

@@ -51,7 +51,7 @@ std::vector<BodyHandle> TerrainBase::catchableIn(const Box& box) const {
   forEachShapeIn(physics_, toBox2D(frame_.placeOf(box.min)), {0, 0},
                  metres({box.max.x - box.min.x, box.max.y - box.min.y}), [&](ShapeHandle shape) {
                    const BodyHandle body = bodyOf(shape);
-                   if (canBeCaught(body) && !isSensor(shape) && known.insert(numberOf(body)).second)
+                   if (canOverlap(body) && !isSensor(shape) && known.insert(numberOf(body)).second)
                      bodies.push_back(body);
                  });
   return bodies;
@@ -96,38 +96,39 @@ std::vector<BodyHandle> TerrainBase::wakeAround(const EdgeChanges& changes, std:
   return bodiesAt(boxes, others);
 }
 
-std::vector<Caught> TerrainBase::find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose) {
-  std::vector<Caught> caught;
-  for (const BodyHandle body : bodies) addIfCaught(body, ground, whose, caught);
-  return caught;
+std::vector<Overlap> TerrainBase::find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose) {
+  std::vector<Overlap> overlaps;
+  for (const BodyHandle body : bodies) addIfOverlapping(body, ground, whose, overlaps);
+  return overlaps;
 }
 
-void TerrainBase::addIfCaught(BodyHandle body, const NewGround& ground, Whose whose, std::vector<Caught>& caught) {
+void TerrainBase::addIfOverlapping(BodyHandle body, const NewGround& ground, Whose whose,
+                                   std::vector<Overlap>& overlaps) {
   const auto found = catchOf(ground, formsOf(body, box2d::poseOf(body)), whose, frame_.units(slop()));
   if (!found) return;
-  Caught one{body, frame_.metres(found->depth), found->way.has_value()};
-  if (found->way) one.way = metres(*found->way);
-  caught.push_back(one);
+  Overlap one{body, frame_.metres(found->depth), found->way.has_value()};
+  if (found->way) one.displacement = metres(*found->way);
+  overlaps.push_back(one);
 }
 
-std::vector<Caught> TerrainBase::caughtBy(const Changes& changes) noexcept {
+std::vector<Overlap> TerrainBase::overlapsWith(const Changes& changes) noexcept {
   if (edges_.misfit(world_, changes)) return {};
   const NewGround ground(world_, edges_, changes);
   const std::vector<Box> boxes = ground.boxes();
   return find(bodiesAt(boxes, boxes.size()), ground, Whose::free);
 }
 
-// Those that were held before come first. So who is caught now is not tried twice.
-void TerrainBase::settle(const std::optional<Box>& changed, OnCaught onCaught) {
-  eraseGone(physics_, held_);
-  std::erase_if(held_, [&](BodyHandle body) { return isEnabled(body) || (changed && release(body, *changed)); });
-  for (const Caught& caught : caught_) {
-    if (caught.isFree && onCaught == OnCaught::push) {
-      push(caught.body, caught.way);
+// Those that were disabled before come first. So a body that overlaps now is not tried twice.
+void TerrainBase::settle(const std::optional<Box>& changed, OnOverlap onOverlap) {
+  eraseGone(physics_, disabled_);
+  std::erase_if(disabled_, [&](BodyHandle body) { return isEnabled(body) || (changed && release(body, *changed)); });
+  for (const Overlap& overlap : overlaps_) {
+    if (overlap.isFree && onOverlap == OnOverlap::push) {
+      push(overlap.body, overlap.displacement);
     } else {
-      stop(caught.body);
-      setEnabled(caught.body, false);
-      held_.push_back(caught.body);
+      stop(overlap.body);
+      setEnabled(overlap.body, false);
+      disabled_.push_back(overlap.body);
     }
   }
 }

@@ -49,7 +49,7 @@ namespace {
 using box2d::Chunk;
 using box2d::EdgeId;
 using box2d::Frame;
-using box2d::OnCaught;
+using box2d::OnOverlap;
 using box2d::Place;
 using box2d::SyncError;
 
@@ -90,8 +90,8 @@ LGS_VALUES(Place, fmt::format("place ({}, {})", v.x, v.y), {0.5, 1.9}, {0, -0.0}
 LGS_VALUES(Chunk, fmt::format("chunk ({}, {})", v.x, v.y), {0, 0}, {-1, 1}, {kLeast, kLeast}, {kMost, kMost},
            {1 << 26, 0})
 LGS_VALUES(EdgeId, fmt::format("edge {}", v.value), {1}, {0}, {2}, {999}, {0x8000'0000}, {0xffff'ffff})
-LGS_VALUES(OnCaught, fmt::format("answer {}", static_cast<unsigned>(v)), OnCaught::push, OnCaught::hold,
-           OnCaught::leave, OnCaught{3}, OnCaught{255})
+LGS_VALUES(OnOverlap, fmt::format("answer {}", static_cast<unsigned>(v)), OnOverlap::push, OnOverlap::disable,
+           OnOverlap::leave, OnOverlap{3}, OnOverlap{255})
 LGS_VALUES(SyncError, fmt::format("error {}", static_cast<unsigned>(v)), SyncError::leftOut, SyncError::notTheLast,
            SyncError::shownAlready, SyncError{3}, SyncError{255})
 LGS_VALUES(Who, fmt::format("body {}", v.number), {0}, {1}, {2}, {3})
@@ -128,9 +128,9 @@ void addDoorsOfBox2d(Doors& door) {
   addDoorsOfFrames(door);
   addDoorsOfEdges(door);
   door("box2d::Terrain::Terrain(b2World&, const World&, TerrainOptions)",
-       [](Scene& s, Cell origin, bool merge, OnCaught onCaught) {
+       [](Scene& s, Cell origin, bool merge, OnOverlap onOverlap) {
          b2World physics({0, 0});
-         const box2d::Terrain terrain(physics, s.world, {.origin = origin, .merge = merge, .onCaught = onCaught});
+         const box2d::Terrain terrain(physics, s.world, {.origin = origin, .merge = merge, .onOverlap = onOverlap});
          return terrain.bodyCount();
        });
   door("box2d::TerrainBase::commit(World&)", [](Scene& s, bool isOther) {
@@ -142,12 +142,14 @@ void addDoorsOfBox2d(Doors& door) {
   });
   door("box2d::TerrainBase::sync(const Changes&)",
        [](Scene& s, const Changes& changes) { return groundOf(s).terrain.sync(changes); });
-  door("box2d::TerrainBase::sync(const Changes&, OnCaught)",
-       [](Scene& s, const Changes& changes, OnCaught onCaught) { return groundOf(s).terrain.sync(changes, onCaught); });
-  door("box2d::TerrainBase::caughtBy(const Changes&)",
-       [](Scene& s, const Changes& changes) { return groundOf(s).terrain.caughtBy(changes).size(); });
-  door("box2d::TerrainBase::caught() const", [](Scene& s) { return groundOf(s).terrain.caught().size(); });
-  door("box2d::TerrainBase::held() const", [](Scene& s) { return groundOf(s).terrain.held().size(); });
+  door("box2d::TerrainBase::sync(const Changes&, OnOverlap)",
+       [](Scene& s, const Changes& changes, OnOverlap onOverlap) {
+         return groundOf(s).terrain.sync(changes, onOverlap);
+       });
+  door("box2d::TerrainBase::overlapsWith(const Changes&)",
+       [](Scene& s, const Changes& changes) { return groundOf(s).terrain.overlapsWith(changes).size(); });
+  door("box2d::TerrainBase::overlaps() const", [](Scene& s) { return groundOf(s).terrain.overlaps().size(); });
+  door("box2d::TerrainBase::disabled() const", [](Scene& s) { return groundOf(s).terrain.disabled().size(); });
   door("box2d::TerrainBase::beforeStep()", [](Scene& s) { groundOf(s).terrain.beforeStep(); });
   door("box2d::TerrainBase::afterStep()", [](Scene& s) {
     groundOf(s).physics.Step(1.0F / 60, 8, 3);

@@ -62,7 +62,7 @@ inline const b2Body* handleOf(const b2Body& body) { return &body; }
 inline std::uint64_t numberOf(const b2Body* body) { return reinterpret_cast<std::uintptr_t>(body); }
 inline bool isThere(const b2Body* body) { return body != nullptr; }
 inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
-inline bool canBeCaught(const b2Body* body) { return body->GetType() == b2_dynamicBody && body->IsEnabled(); }
+inline bool canOverlap(const b2Body* body) { return body->GetType() == b2_dynamicBody && body->IsEnabled(); }
 
 inline Pose poseOf(const b2Body* body) { return {body->GetPosition(), body->GetTransform().q, body->GetAngle()}; }
 /// What Box2D can make of a place and a rotation: it sets angles.

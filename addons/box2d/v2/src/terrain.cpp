@@ -78,7 +78,7 @@ std::vector<b2Body*> TerrainBase::bodiesInRect(const CellRect& cells) const noex
 
 void TerrainBase::beforeStep() noexcept {
   for (const b2Body* body = physics_.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    if (canBeCaught(body)) noteIfElsewhere(body);
+    if (canOverlap(body)) noteIfElsewhere(body);
   }
 }
 
@@ -88,7 +88,7 @@ const std::vector<b2Body*>& TerrainBase::afterStep() noexcept {
   Footings before;  // those of this step are noted anew, so that nobody is known who is gone
   std::swap(before, *footings_);
   for (b2Body* body = physics_.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    if (!canBeCaught(body)) continue;
+    if (!canOverlap(body)) continue;
     const std::optional<Footing> last = before.of(numberOf(body));
     if (last && !body->IsAwake()) {
       footings_->set(numberOf(body), *last);

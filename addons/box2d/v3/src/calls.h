@@ -72,7 +72,7 @@ inline b2BodyId handleOf(b2BodyId body) { return body; }
 inline std::uint64_t numberOf(b2BodyId body) { return b2StoreBodyId(body); }
 inline bool isThere(b2BodyId body) { return B2_IS_NON_NULL(body); }
 inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
-inline bool canBeCaught(b2BodyId body) { return b2Body_GetType(body) == b2_dynamicBody && b2Body_IsEnabled(body); }
+inline bool canOverlap(b2BodyId body) { return b2Body_GetType(body) == b2_dynamicBody && b2Body_IsEnabled(body); }
 
 inline Pose poseOf(b2BodyId body) { return {b2Body_GetPosition(body), b2Body_GetRotation(body)}; }
 /// What Box2D can make of a place and a rotation.

@@ -38,7 +38,7 @@ class Terrain::Memory {
   std::vector<SegmentShape> shapes;
   std::vector<ChunkBody> bodies;
   std::size_t bodyCount;
-  std::vector<b2BodyId> held;
+  std::vector<b2BodyId> disabled;
   Footings footings;
 };
 
@@ -46,7 +46,7 @@ Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options, 
     : TerrainBase(physics, world, std::move(options)) {}
 
 Terrain::MemoryPtr Terrain::remember() const noexcept {
-  return std::make_shared<Memory>(Memory{frame_, edges_, shapes_, bodies_, bodyCount_, held_, *footings_});
+  return std::make_shared<Memory>(Memory{frame_, edges_, shapes_, bodies_, bodyCount_, disabled_, *footings_});
 }
 
 // Going back over commits that come to nothing leaves the world another version than the mark's.
@@ -56,9 +56,9 @@ void Terrain::recall(const MemoryPtr& memory) noexcept {
   shapes_ = memory->shapes;
   bodies_ = memory->bodies;
   bodyCount_ = memory->bodyCount;
-  held_ = memory->held;
+  disabled_ = memory->disabled;
   *footings_ = memory->footings;
-  caught_.clear();
+  overlaps_.clear();
   for (const EdgeId id : edges_.edges()) b2Shape_SetUserData(shapes_[id.value].shape, userDataOf(id));
   if (!isCurrent()) resync();
 }
@@ -114,7 +114,7 @@ void TerrainBase::beforeStep() noexcept {
   const std::vector<std::uint64_t> known = footings_->allOf(isThereStill);
   for (const std::uint64_t number : known) {
     const b2BodyId body = b2LoadBodyId(number);
-    if (canBeCaught(body)) noteIfElsewhere(body);
+    if (canOverlap(body)) noteIfElsewhere(body);
   }
   const std::size_t all = bodyCountOf(physics_);
   if (all == bodyCount_ + known.size() + others_) return;
@@ -129,7 +129,7 @@ const std::vector<b2BodyId>& TerrainBase::afterStep() noexcept {
   const b2BodyEvents events = b2World_GetBodyEvents(physics_);
   for (int k = 0; k < events.moveCount; ++k) {
     const b2BodyId body = events.moveEvents[k].bodyId;
-    if (b2Body_IsValid(body) && canBeCaught(body)) lookAt(body, footings_->of(numberOf(body)));
+    if (b2Body_IsValid(body) && canOverlap(body)) lookAt(body, footings_->of(numberOf(body)));
   }
   if (footings_->size() > 2 * bodyCountOf(physics_) + 64) footings_->allOf(isThereStill);
   return putBack_;

@@ -213,7 +213,7 @@ LGS_API lgs_status lgs_pieces_new(const lgs_world* world, size_t max_vertices, l
 LGS_API lgs_status lgs_pieces_copy(const lgs_pieces* pieces, lgs_pieces** copy) LGS_NOTHROW;
 LGS_API void lgs_pieces_free(lgs_pieces* pieces) LGS_NOTHROW;
 
-/* Takes over what the last commit or roll-back changed, of a world that follows its cells. Tells which cells have other
+/* Takes over what the last commit or roll-back changed, of a world that follows its cells. Reports which cells have other
  * pieces now; the list stays until the next update. Miss no commit: this is not checked. */
 LGS_API lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world, const lgs_cell** cells,
                                      size_t* count) LGS_NOTHROW;

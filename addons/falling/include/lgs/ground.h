@@ -14,7 +14,7 @@
 //
 // lgs::Ground<> is the same without physics: its rocks are values that the game moves (ground_parts.h). It owns the order
 // of calls, the marks, and the bodies that came out of the ground, and nothing else: world(), islands() and host() are
-// there for questions. Whoever edits or commits the world by itself goes around it; edit() takes any edits.
+// there for questions. To edit or commit the world directly goes around it; edit() takes any edits.
 //
 // The rules that it keeps:
 //
@@ -347,7 +347,7 @@ class Ground {
     static_cast<void>(world_.reloadEmpty(chunk));
     options_.land(world_, chunk);
   }
-  /// An undo took away land that was made since; nobody has dug there at that time.
+  /// An undo took away land that was made since; at that time nothing was dug there.
   void remakeLand() {
     std::vector<Cell> again;
     for (const auto& [corner, at] : newLand_)

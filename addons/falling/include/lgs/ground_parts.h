@@ -1,4 +1,4 @@
-// What <lgs/ground.h> is made of and told by: options, rocks as values, the shelf, drawings, and what it does where
+// What <lgs/ground.h> is made of and set up by: options, rocks as values, the shelf, drawings, and what it does where
 // there is no physics engine.
 #pragma once
 
@@ -40,12 +40,12 @@ struct GroundOptions {
   IsAnchor isAnchor;            ///< what holds an island; empty: nothing ever falls
   PreserveRelation preserve{};  ///< of its world
   StayingBlocks staying{};      ///< what dig() and paint() go around
-  /// Makes the land of a chunk that nobody has seen yet, with edits inside its cells alone, which hold nothing: the same
+  /// Makes the land of a chunk that was never loaded, with edits inside its cells alone, which hold nothing: the same
   /// for the same chunk, in whichever world and whenever it is asked. Empty: there is none but what the game edits.
   std::function<void(World& land, const CellRect& chunk)> land{};
   Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
   std::size_t undoSteps = 64;     ///< how many strokes can be undone
-  /// Hears of each commit, roll-back and roll-forward: for further views, or the server of addons/sync. After a load()
+  /// Is notified of each commit, roll-back and roll-forward: for further views, or the server of addons/sync. After a load()
   /// they begin anew, which the game sees to.
   std::function<void(const World& world, const Changes& changes)> follow{};
 };

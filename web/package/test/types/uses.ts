@@ -15,7 +15,7 @@ import {
 import { Pieces, init as initPieces, type PieceId, type Portal, type SolidPiece } from 'localgridseg/pieces'
 import { answer, check, init as initOracle, outline, page, type Checked } from 'localgridseg/oracle'
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
-import { FallingGround, Ground as PlanckGround, PlanckTerrain, cutOut, type Caught, type Falling } from 'localgridseg/planck'
+import { FallingGround, Ground as PlanckGround, PlanckTerrain, cutOut, type Overlap, type Falling } from 'localgridseg/planck'
 import { Box2dTerrain, FallingGround as Box2dFalling, type Box2D, type Falling as Box2dFallen, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
 import { GroundMeshes, GroundPicture, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
 import { World as Planck, type Body, type Fixture } from 'planck'
@@ -206,11 +206,11 @@ export function physics(world: World, box2d: Box2D, id: PhysicsId, fixture: Fixt
   new PlanckTerrain(new Planck(), world, { cells: 3 })
   const other = new Box2dTerrain(box2d, id, world, { cellSize: 0.5 })
   other.sync(world.commit())
-  terrain.sync(world.commit(), 'hold')
-  const caught: Caught<Body>[] = [...terrain.caughtBy(terrain.commit()), ...terrain.caught]
-  const bodies: Body[] = [...terrain.held, ...terrain.afterStep(), ...terrain.bodiesIn({ i0: 0, j0: 0, i1: 1, j1: 1 })]
+  terrain.sync(world.commit(), 'disable')
+  const overlaps: Overlap<Body>[] = [...terrain.overlapsWith(terrain.commit()), ...terrain.overlaps]
+  const bodies: Body[] = [...terrain.disabled, ...terrain.afterStep(), ...terrain.bodiesIn({ i0: 0, j0: 0, i1: 1, j1: 1 })]
   const isRoom: boolean = bodies.every((body) => terrain.fits(body) && terrain.fits(body, { x: 1, y: 2, angle: 0 }))
-  world.carve(terrain.outlinesOf(caught[0]!.body))
+  world.carve(terrain.outlinesOf(overlaps[0]!.body))
   cutOut(terrain, world, world.commit())
   terrain.moveOrigin({ i: 1, j: 2 })
   // @ts-expect-error: no such way

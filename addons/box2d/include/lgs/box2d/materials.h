@@ -15,10 +15,10 @@
 namespace lgs::box2d {
 
 /// What a sync does with bodies that new ground would hold (law 13). They are dynamic bodies whose centre was free.
-enum class OnCaught : std::uint8_t {
-  push,  ///< pushes them out, the shortest way that crosses no edge of the old outline; holds a body without such a way
-  hold,  ///< holds them: disables them until they are free where they are, or until they can be pushed
-  leave,  ///< leaves them: they fall through the ground
+enum class OnOverlap : std::uint8_t {
+  push,  ///< pushes them out, the shortest way that crosses no edge of the old outline; disables a body without such a way
+  disable,  ///< disables them until they are free where they are, or until they can be pushed
+  leave,    ///< leaves them: they fall through the ground
 };
 
 /// A value outside its range is a mistake of the program: an assertion fails. With NDEBUG the behaviour is undefined.
@@ -26,9 +26,9 @@ template <class Material>
 struct BasicTerrainOptions {
   double cellSize = 1;  ///< metres; finite, at least 2e-6
   Cell origin = {};     ///< its lower left corner is (0, 0) of the physics world; best where most things happen
-  std::int32_t chunkCells = 16;        ///< each square of so many cells by as many is a body, 1 … 4,096
-  bool merge = false;                  ///< collinear neighbours of equal material in a chunk become one edge
-  OnCaught onCaught = OnCaught::push;  ///< what a sync does with bodies in new ground
+  std::int32_t chunkCells = 16;           ///< each square of so many cells by as many is a body, 1 … 4,096
+  bool merge = false;                     ///< collinear neighbours of equal material in a chunk become one edge
+  OnOverlap onOverlap = OnOverlap::push;  ///< what a sync does with bodies in new ground
   std::function<Material(Block)> material =
       {};  ///< called once for each block, and again after materialsChanged(); empty: the defaults for all blocks
 };

@@ -168,7 +168,7 @@ struct Options {
   /// The folder in which, or below which, the files lie that the map names. Empty: the map's folder; or, if importMap()
   /// reads from the disk, the project's: projectFolder(). A name that leads out of it is an error, and so are absolute
   /// names, names without the extension of their kind, and symbolic links out of it on the disk. Errors quote no text
-  /// of files other than the map's own: a map from a stranger could name what is nobody else's business.
+  /// of files other than the map's own: an untrusted map could name private files.
   std::string filesIn = {};
 
   /// The map is trusted: the files that it names may lie anywhere that the reader reads, and have any name.
@@ -235,7 +235,7 @@ inline constexpr std::string_view kNoSuchFile = "there is no such file";
 /// path of each tileset, template, map or level: its name in the map, appended to the map's folder. A reader of your
 /// own can serve files from memory; then an import touches no file.
 ///
-/// Maps come from strangers, and so do the names in them. Without Options::filesAnywhere and Options::filesIn a reader
+/// Maps are untrusted, and so are the names in them. Without Options::filesAnywhere and Options::filesIn a reader
 /// is asked only for the map's path and for paths that lie below the map's folder as they are written: without "..",
 /// with slashes only. A reader of a server's disk must not follow links out of the folder, nor open what is no regular
 /// file, as it may block; readerBelow() is such a reader. What a reader says of a file that it can not read becomes
@@ -250,7 +250,7 @@ using FileReader = std::function<tl::expected<std::string, std::string>(const st
 /// path has none), and sorts what comes back.
 using FolderLister = std::function<tl::expected<std::vector<std::string>, std::string>(const std::string& folder)>;
 
-/// Reads a regular file of at most 1 GiB from the disk. It waits for nobody: a pipe or a device is an error.
+/// Reads a regular file of at most 1 GiB from the disk. It never waits: a pipe or a device is an error.
 tl::expected<std::string, std::string> readFile(const std::string& path);
 
 /// A reader for regular files in a folder of the disk and below it, which may be absolute or not. Paths begin with the

@@ -50,12 +50,12 @@ struct GroundRayHit {
   float fraction = 1;  ///< of the way from the start to the end of the ray
 };
 
-/// A body that new ground would hold.
-struct Caught {
-  BodyHandle body{};    ///< the body
-  float depth = 0;      ///< metres: how deep the ground reaches into it, at most to the centre
-  bool isFree = false;  ///< whether there is a way out
-  b2Vec2 way{0, 0};     ///< that way: a straight move without a turn
+/// A body that new ground would overlap.
+struct Overlap {
+  BodyHandle body{};          ///< the body
+  float depth = 0;            ///< metres: how deep the ground reaches into it, at most to the centre
+  bool isFree = false;        ///< whether there is a way out
+  b2Vec2 displacement{0, 0};  ///< along it: a straight move without a turn
 };
 
 /// What every terrain can do. Only a Terrain can be made. Every function is noexcept: when memory runs out, or a
@@ -80,25 +80,25 @@ class TerrainBase {
   tl::expected<void, SyncError> sync(const Changes& changes) noexcept;
 
   /// The same, with another answer to what happens to bodies in new ground.
-  tl::expected<void, SyncError> sync(const Changes& changes, OnCaught onCaught) noexcept;
+  tl::expected<void, SyncError> sync(const Changes& changes, OnOverlap onOverlap) noexcept;
 
   /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
-  /// roll back, or leave the rest to sync(). A body is caught if its centre was free and is in the solid, or if a new
+  /// roll back, or leave the rest to sync(). A body overlaps it if its centre was free and is in the solid, or if a new
   /// edge reaches deeper than half way to its centre. Of a body of several shapes each has a centre: the one by which
   /// Box2D decides on which side of an edge it is. A centre is free if latticePoint() of it is in no polygon and on no
   /// edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D sees it. Sensors,
   /// bodies that are not dynamic or not enabled, and shapes whose filter lets them through the block do not count.
   /// Nothing, if sync() would refuse the changes. Cost: the number of changes, for each body near one of them; and up
   /// to some milliseconds for one that has no way out.
-  std::vector<Caught> caughtBy(const Changes& changes) noexcept;
+  std::vector<Overlap> overlapsWith(const Changes& changes) noexcept;
 
-  /// Those that the last sync or resync pushed or held. A pushed body was moved along the way out and woken, and has
+  /// Those that the last sync or resync pushed or disabled. A pushed body was moved along the way out and woken, and has
   /// no velocity against it any more. None if they are left.
-  const std::vector<Caught>& caught() const noexcept { return caught_; }
+  const std::vector<Overlap>& overlaps() const noexcept { return overlaps_; }
 
-  /// The bodies that are held: disabled where they were caught, at rest. A later sync nearby enables them if they are
+  /// The bodies that are disabled where they overlapped, at rest. A later sync nearby enables them if they are
   /// free there, or pushes them out if their centres are. A game that destroys or enables one itself may do so.
-  std::vector<BodyHandle> held() const noexcept { return held_; }
+  std::vector<BodyHandle> disabled() const noexcept { return disabled_; }
 
   /// Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game
   /// has put elsewhere: from there on afterStep() guards them. Without it their first step is not guarded; and in Box2D
@@ -127,8 +127,8 @@ class TerrainBase {
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
   /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
-  /// meanwhile: bodies in the ground are pushed or held, however they came there; and one that is held and free is
-  /// held no more. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments), and for each
+  /// meanwhile: bodies in the ground are pushed or disabled, however they came there; and one that is disabled and free is
+  /// enabled. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments), and for each
   /// body near a change the changes that are connected with it.
   void resync() noexcept;
 
@@ -160,7 +160,7 @@ class TerrainBase {
   std::optional<GroundRayHit> rayCast(const Position& from, const Position& to) const noexcept;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. caughtBy() says which of them new ground would hold. Bodies that just rest beside the cells are
+  /// are not looked at. overlapsWith() says which of them new ground would hold. Bodies that just rest beside the cells are
   /// not found: in Box2D 3 the rectangle counts as smaller by the slop, half a centimetre, on each side. In 2.4 bodies
   /// that are less than 1 cm (b2_polygonRadius) away are found, because the skin of a polygon counts. Cost: the shapes
   /// near the cells.
@@ -211,12 +211,12 @@ class TerrainBase {
   std::vector<Form> formsOf(ConstBodyHandle body, const Pose& at);
   b2Vec2 metres(DoublePoint units) const;
   std::vector<BodyHandle> catchableIn(const Box& box) const;
-  /// The bodies at boxes that can be caught, each once. Wakes those that reach one from the index `firstToWake` on.
+  /// The bodies at boxes that can overlap it, each once. Wakes those that reach one from the index `firstToWake` on.
   std::vector<BodyHandle> bodiesAt(std::span<const Box> boxes, std::size_t firstToWake);
   bool reachesOne(ConstBodyHandle body, std::span<const Box> boxes, std::span<const std::uint32_t> which);
-  std::vector<Caught> find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose);
-  void addIfCaught(BodyHandle body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
-  void settle(const std::optional<Box>& changed, OnCaught onCaught);
+  std::vector<Overlap> find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose);
+  void addIfOverlapping(BodyHandle body, const NewGround& ground, Whose whose, std::vector<Overlap>& overlaps);
+  void settle(const std::optional<Box>& changed, OnOverlap onOverlap);
   bool release(BodyHandle body, const Box& changed);
   void push(BodyHandle body, b2Vec2 way);
   bool isFree(ConstBodyHandle body, const Pose& at);
@@ -234,7 +234,7 @@ class TerrainBase {
   void destroy(EdgeId id);
   void remake(EdgeId id);
   void loadEdges();
-  /// Wakes bodies near edges that change. Returns bodies that can be caught: those, and those at other boxes.
+  /// Wakes bodies near edges that change. Returns bodies that can overlap: those, and those at other boxes.
   std::vector<BodyHandle> wakeAround(const EdgeChanges& changes, std::vector<Box> boxes);
   LocalEdge localEdge(EdgeId id) const;
   Position positionOf(std::uint32_t chunk) const;
@@ -243,14 +243,14 @@ class TerrainBase {
   Physics physics_;                ///< the physics world
   const World& world_;             ///< the world whose outline this is
   Frame frame_;                    ///< where cells are in metres
-  OnCaught onCaught_;              ///< what sync() does with bodies that new ground catches
+  OnOverlap onOverlap_;            ///< what sync() does with bodies that new ground overlaps
   Materials<Material> materials_;  ///< by block
   EdgeSet edges_;                  ///< the edges behind the shapes
   std::vector<SegmentShape> shapes_ = std::vector<SegmentShape>(1);  ///< by EdgeId
   std::vector<ChunkBody> bodies_;                                    ///< by number of the chunk
   std::size_t bodyCount_ = 0;                                        ///< chunks with at least one shape
-  std::vector<Caught> caught_;                                       ///< of the last sync()
-  std::vector<BodyHandle> held_;                                     ///< bodies that wait until their place is free
+  std::vector<Overlap> overlaps_;                                    ///< of the last sync()
+  std::vector<BodyHandle> disabled_;                                 ///< bodies that wait until their place is free
   std::unique_ptr<Footings> footings_;                               ///< where each body was free last
   std::size_t others_ = 0;                                           ///< bodies that were not in footings_ (Box2D 3)
   std::vector<BodyHandle> putBack_;                                  ///< by the last afterStep()

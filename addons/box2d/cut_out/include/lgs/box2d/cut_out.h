@@ -25,11 +25,11 @@ namespace lgs::box2d {
 /// is full to its limits, the terrain does with bodies what its options say. Errors as of sync().
 inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, const Changes& changes) noexcept {
   bool isCut = true;
-  for (const Caught& caught : terrain.caughtBy(changes)) {
-    for (const Ring& outline : terrain.outlinesOf(caught.body))
+  for (const Overlap& overlap : terrain.overlapsWith(changes)) {
+    for (const Ring& outline : terrain.outlinesOf(overlap.body))
       isCut = carve(world, Region{{outline}}).has_value() && isCut;
   }
-  const auto done = isCut ? terrain.sync(changes, OnCaught::leave) : terrain.sync(changes);
+  const auto done = isCut ? terrain.sync(changes, OnOverlap::leave) : terrain.sync(changes);
   return done ? terrain.sync(world.commit()) : done;
 }
 

@@ -20,7 +20,7 @@ struct Material {
   float restitution = 0;                                       ///< 0 … 1
   float restitutionThreshold = 1.0F * b2_lengthUnitsPerMeter;  ///< metres a second; slower bodies do not bounce
   b2Filter filter = {};                                        ///< what it collides with
-  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: no body is caught there
+  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: new ground of it overlaps no body
   friend bool operator==(const Material& a, const Material& b);
 };
 

@@ -32,7 +32,7 @@ struct Material {
   bool enableHitEvents = false;                            ///< as in b2ShapeDef
   bool enablePreSolveEvents = false;                       ///< as in b2ShapeDef
   bool enableCustomFiltering = false;                      ///< before 3.2 Box2D calls the custom filter for all shapes
-  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: no body is caught there
+  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: new ground of it overlaps no body
   friend bool operator==(const Material& a, const Material& b);
 };
 

@@ -7,13 +7,13 @@
 namespace lgs::box2d_test {
 namespace {
 
-using box2d::Caught;
-using box2d::OnCaught;
+using box2d::OnOverlap;
+using box2d::Overlap;
 using box2d::Terrain;
 
-class Box2dCaught : public EitherBox2d {
+class Box2dOverlap : public EitherBox2d {
  protected:
-  Box2dCaught() {
+  Box2dOverlap() {
     field.addFloor(-8, 8);
     field.world.commit();
   }
@@ -40,21 +40,21 @@ class Box2dCaught : public EitherBox2d {
   PolygonHandle handle;
 };
 
-TEST_F(Box2dCaught, WhoIsInTheMiddleOfALargeHillIsFound) {
+TEST_F(Box2dOverlap, WhoIsInTheMiddleOfALargeHillIsFound) {
   Terrain terrain(physics, field.world);
   const Body here = addBody({4.5F, 5.5F}, Form::ball, 0), there = addBody({54.5F, 5.5F}, Form::box, 0);
   addBody({29.5F, 5.5F}, Form::ball, 0);  // between two hills
   for (const std::int32_t from : {0, 50})
     for (std::int32_t j = 1; j <= 9; ++j)
       for (std::int32_t i = 0; i < 9; ++i) field.add({from + i, j}, kSquare);
-  const std::vector<Caught> who = terrain.caughtBy(field.world.commit());
+  const std::vector<Overlap> who = terrain.overlapsWith(field.world.commit());
   ASSERT_EQ(who.size(), 2U);
   const bool isInOrder = isSame(who[0].body, here);
   EXPECT_TRUE(isSame(who[isInOrder ? 0 : 1].body, here));
   EXPECT_TRUE(isSame(who[isInOrder ? 1 : 0].body, there));
 }
 
-TEST_F(Box2dCaught, WhoIsInNewGroundIsPushedOut) {
+TEST_F(Box2dOverlap, WhoIsInNewGroundIsPushedOut) {
   Terrain terrain(physics, field.world);
   for (const Form form : {Form::ball, Form::box}) {
     const Body body = addBody({0.6F, 0.36F}, form, 0);
@@ -62,7 +62,7 @@ TEST_F(Box2dCaught, WhoIsInNewGroundIsPushedOut) {
     setVelocity(body, {-3, 1});
     const PolygonHandle block = field.add({0, 0}, kSquare);
     const Changes& changes = field.world.commit();
-    const std::vector<Caught> who = terrain.caughtBy(changes);
+    const std::vector<Overlap> who = terrain.overlapsWith(changes);
     ASSERT_EQ(who.size(), 1U);
     EXPECT_TRUE(isSame(who[0].body, body));
     EXPECT_TRUE(who[0].isFree);
@@ -70,31 +70,31 @@ TEST_F(Box2dCaught, WhoIsInNewGroundIsPushedOut) {
     EXPECT_FALSE(fits(terrain, body));
     const Position at = positionOf(body);
     ASSERT_TRUE(terrain.sync(changes));
-    ASSERT_EQ(terrain.caught().size(), 1U);
-    EXPECT_NEAR(positionOf(body).x, at.x + who[0].way.x, 1e-5F);
-    EXPECT_NEAR(positionOf(body).y, at.y + who[0].way.y, 1e-5F);
+    ASSERT_EQ(terrain.overlaps().size(), 1U);
+    EXPECT_NEAR(positionOf(body).x, at.x + who[0].displacement.x, 1e-5F);
+    EXPECT_NEAR(positionOf(body).y, at.y + who[0].displacement.y, 1e-5F);
     EXPECT_NEAR(velocityOf(body).x, 0, 0.8F) << "no velocity into the ground is left";
     EXPECT_TRUE(fits(terrain, body));
     EXPECT_TRUE(isAwake(body));
-    EXPECT_TRUE(terrain.held().empty());
+    EXPECT_TRUE(terrain.disabled().empty());
     step(60);
     EXPECT_GT(positionOf(body).y, 0.3F);
     ASSERT_TRUE(field.world.remove(block));
     ASSERT_TRUE(terrain.commit(field.world));
-    EXPECT_TRUE(terrain.caught().empty());
+    EXPECT_TRUE(terrain.overlaps().empty());
     destroy(body);
   }
 }
 
-TEST_F(Box2dCaught, WhoHasNoWayOutIsHeldUntilItIsFree) {
+TEST_F(Box2dOverlap, WhoHasNoWayOutIsHeldUntilItIsFree) {
   Terrain terrain(physics, field.world);
   const Body body = bury(terrain);
   const Position at = positionOf(body);
   setVelocity(body, {0, 5});
   ASSERT_TRUE(terrain.commit(field.world));
-  ASSERT_EQ(terrain.caught().size(), 1U);
-  EXPECT_FALSE(terrain.caught()[0].isFree);
-  ASSERT_EQ(terrain.held().size(), 1U);
+  ASSERT_EQ(terrain.overlaps().size(), 1U);
+  EXPECT_FALSE(terrain.overlaps()[0].isFree);
+  ASSERT_EQ(terrain.disabled().size(), 1U);
   EXPECT_FALSE(isEnabled(body));
   step(30);
   field.add({5, 5}, kSquare);  // elsewhere
@@ -104,27 +104,27 @@ TEST_F(Box2dCaught, WhoHasNoWayOutIsHeldUntilItIsFree) {
   ASSERT_TRUE(field.world.remove(handle));
   ASSERT_TRUE(terrain.commit(field.world));
   EXPECT_TRUE(isEnabled(body));
-  EXPECT_TRUE(terrain.held().empty());
+  EXPECT_TRUE(terrain.disabled().empty());
   EXPECT_EQ(std::pair(positionOf(body).x, positionOf(body).y), std::pair(at.x, at.y));
   EXPECT_EQ(velocityOf(body).y, 0);
   step(60);
   EXPECT_NEAR(positionOf(body).y, 1.35F, 0.02F);
 }
 
-TEST_F(Box2dCaught, AnUndoThatBuriesIsNoUndoOfTheBody) {
+TEST_F(Box2dOverlap, AnUndoThatBuriesIsNoUndoOfTheBody) {
   Terrain terrain(physics, field.world);
   const Mark mark = field.world.checkpoint();
   ASSERT_TRUE(field.world.clear(CellRect{{-1, -1}, {1, -1}}));
   ASSERT_TRUE(terrain.commit(field.world));
   const Body body = addBody({0.5F, -0.5F}, Form::box, 0);
   ASSERT_TRUE(field.world.rollBack(mark));
-  EXPECT_EQ(terrain.caughtBy(field.world.changesOfRollBack()).size(), 1U);
+  EXPECT_EQ(terrain.overlapsWith(field.world.changesOfRollBack()).size(), 1U);
   ASSERT_TRUE(terrain.sync(field.world.changesOfRollBack()));
-  EXPECT_EQ(terrain.caught().size(), 1U);
+  EXPECT_EQ(terrain.overlaps().size(), 1U);
   EXPECT_TRUE(fits(terrain, body));
 }
 
-TEST_F(Box2dCaught, AWorldThatIsAssignedToPushesToo) {
+TEST_F(Box2dOverlap, AWorldThatIsAssignedToPushesToo) {
   Terrain terrain(physics, field.world);
   World other = field.world;
   ASSERT_TRUE(other.add({0, 0}, *other.shape(kUnitSquare), 1));
@@ -132,19 +132,19 @@ TEST_F(Box2dCaught, AWorldThatIsAssignedToPushesToo) {
   const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
   field.world = other;
   terrain.resync();
-  EXPECT_EQ(terrain.caught().size(), 1U);
+  EXPECT_EQ(terrain.overlaps().size(), 1U);
   EXPECT_TRUE(fits(terrain, body));
 }
 
-TEST_F(Box2dCaught, AGameMayHoldOrLeaveThem) {
-  for (const OnCaught onCaught : {OnCaught::hold, OnCaught::leave}) {
-    Terrain terrain(physics, field.world, {.onCaught = onCaught});
+TEST_F(Box2dOverlap, AGameMayHoldOrLeaveThem) {
+  for (const OnOverlap onOverlap : {OnOverlap::disable, OnOverlap::leave}) {
+    Terrain terrain(physics, field.world, {.onOverlap = onOverlap});
     const Body body = addBody({0.6F, 0.36F}, Form::ball, 0);
     const Position at = positionOf(body);
     const PolygonHandle block = field.add({0, 0}, kSquare);
     ASSERT_TRUE(terrain.commit(field.world));
-    EXPECT_EQ(isEnabled(body), onCaught == OnCaught::leave);
-    EXPECT_EQ(terrain.held().size(), onCaught == OnCaught::hold ? 1U : 0U);
+    EXPECT_EQ(isEnabled(body), onOverlap == OnOverlap::leave);
+    EXPECT_EQ(terrain.disabled().size(), onOverlap == OnOverlap::disable ? 1U : 0U);
     EXPECT_EQ(positionOf(body).x, at.x);
     ASSERT_TRUE(field.world.remove(block));
     ASSERT_TRUE(terrain.commit(field.world));
@@ -154,29 +154,29 @@ TEST_F(Box2dCaught, AGameMayHoldOrLeaveThem) {
 }
 
 // One that is asked for once: by who carves the bodies free afterwards.
-TEST_F(Box2dCaught, ASyncMayLeaveThemOnce) {
+TEST_F(Box2dOverlap, ASyncMayLeaveThemOnce) {
   Terrain terrain(physics, field.world);
   const Body body = addBody({0.6F, 0.36F}, Form::ball, 0);
   const Position at = positionOf(body);
   field.add({0, 0}, kSquare);
-  ASSERT_TRUE(terrain.sync(field.world.commit(), OnCaught::leave));
+  ASSERT_TRUE(terrain.sync(field.world.commit(), OnOverlap::leave));
   EXPECT_EQ(positionOf(body).x, at.x);
   EXPECT_TRUE(isEnabled(body));
 }
 
-TEST_F(Box2dCaught, WhoIsHeldMayBeDestroyed) {
+TEST_F(Box2dOverlap, WhoIsHeldMayBeDestroyed) {
   Terrain terrain(physics, field.world);
   destroy(bury(terrain));
   const Body other = addBody({0.5F, 1.4F}, Form::ball, 0);
   ASSERT_TRUE(terrain.commit(field.world));
-  ASSERT_EQ(terrain.held().size(), 1U);
+  ASSERT_EQ(terrain.disabled().size(), 1U);
   destroy(other);
   ASSERT_TRUE(field.world.remove(handle));
   ASSERT_TRUE(terrain.commit(field.world));
-  EXPECT_TRUE(terrain.held().empty());
+  EXPECT_TRUE(terrain.disabled().empty());
 }
 
-TEST_F(Box2dCaught, APlatformCatchesNobody) {
+TEST_F(Box2dOverlap, APlatformCatchesNobody) {
   box2d::TerrainOptions options;
   options.material = [](Block block) {
     box2d::Material material;
@@ -187,14 +187,14 @@ TEST_F(Box2dCaught, APlatformCatchesNobody) {
   const Body body = addBody({0.5F, 0.5F}, Form::ball, 0);
   field.add({0, 0}, kSquare, 9);
   ASSERT_TRUE(terrain.commit(field.world));
-  EXPECT_TRUE(terrain.caught().empty());
+  EXPECT_TRUE(terrain.overlaps().empty());
   EXPECT_TRUE(fits(terrain, body));
   step(1);
   EXPECT_TRUE(terrain.afterStep().empty());
 }
 
 // As when something heavy presses it through an edge.
-TEST_F(Box2dCaught, AfterAStepWhoIsInTheGroundIsPutBack) {
+TEST_F(Box2dOverlap, AfterAStepWhoIsInTheGroundIsPutBack) {
   Terrain terrain(physics, field.world);
   const Body body = addBody({0.5F, 0.36F}, Form::ball, 0);
   step(1);
@@ -208,7 +208,7 @@ TEST_F(Box2dCaught, AfterAStepWhoIsInTheGroundIsPutBack) {
 }
 
 // The floor is a cell thick, and below it there is nothing.
-TEST_F(Box2dCaught, AfterAStepWhoCameThroughTheGroundIsPutBack) {
+TEST_F(Box2dOverlap, AfterAStepWhoCameThroughTheGroundIsPutBack) {
   Terrain terrain(physics, field.world);
   const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
   step(1);
@@ -221,7 +221,7 @@ TEST_F(Box2dCaught, AfterAStepWhoCameThroughTheGroundIsPutBack) {
 }
 
 // A portal to below the floor.
-TEST_F(Box2dCaught, WhoWasMovedByTheGameStaysThere) {
+TEST_F(Box2dOverlap, WhoWasMovedByTheGameStaysThere) {
   Terrain terrain(physics, field.world);
   const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
   step(1);
@@ -236,7 +236,7 @@ TEST_F(Box2dCaught, WhoWasMovedByTheGameStaysThere) {
   EXPECT_EQ(positionOf(body).y, -1.5F);
 }
 
-TEST_F(Box2dCaught, BeforeAStepItIsNotedWhoIsNewAndWhoIsElsewhere) {
+TEST_F(Box2dOverlap, BeforeAStepItIsNotedWhoIsNewAndWhoIsElsewhere) {
   Terrain terrain(physics, field.world);
   const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
   terrain.beforeStep();
@@ -251,7 +251,7 @@ TEST_F(Box2dCaught, BeforeAStepItIsNotedWhoIsNewAndWhoIsElsewhere) {
 }
 
 // In Box2D 2.4 the second body has the address of the first one.
-TEST_F(Box2dCaught, WhoIsMadeInTheGroundIsNotPutToWhereAnotherOneWas) {
+TEST_F(Box2dOverlap, WhoIsMadeInTheGroundIsNotPutToWhereAnotherOneWas) {
   field.addFloor(10, 20);
   field.world.commit();
   Terrain terrain(physics, field.world);
@@ -266,11 +266,11 @@ TEST_F(Box2dCaught, WhoIsMadeInTheGroundIsNotPutToWhereAnotherOneWas) {
 }
 
 // Of two bodies one was held when the game was saved, and the other one is now.
-TEST_F(Box2dCaught, ALoadHoldsWhoWasHeldAndReleasesWhoIsFree) {
+TEST_F(Box2dOverlap, ALoadHoldsWhoWasHeldAndReleasesWhoIsFree) {
   Terrain terrain(physics, field.world);
   const Body held = bury(terrain), other = addBody({4.5F, 0.36F}, Form::ball, 0);
   ASSERT_TRUE(terrain.commit(field.world));
-  ASSERT_EQ(terrain.held().size(), 1U);
+  ASSERT_EQ(terrain.disabled().size(), 1U);
   const World saved = field.world;
   const Position heldAt = positionOf(held), otherAt = positionOf(other);
   ASSERT_TRUE(field.world.remove(handle));
@@ -294,7 +294,7 @@ TEST_F(Box2dCaught, ALoadHoldsWhoWasHeldAndReleasesWhoIsFree) {
 }
 
 // When the game was saved the body was below the floor.
-TEST_F(Box2dCaught, ALoadPutsBodiesWhereTheyWere) {
+TEST_F(Box2dOverlap, ALoadPutsBodiesWhereTheyWere) {
   Terrain terrain(physics, field.world);
   const World saved = field.world;
   const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
@@ -308,7 +308,7 @@ TEST_F(Box2dCaught, ALoadPutsBodiesWhereTheyWere) {
   EXPECT_NEAR(positionOf(body).y, -1.5F, 0.02F);
 }
 
-TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
+TEST_F(Box2dOverlap, BodiesAreCutOutOfWhatIsPainted) {
   Terrain terrain(physics, field.world);
   for (const Form form : {Form::ball, Form::box}) {
     const Body body = addBody({0.6F, 0.36F}, form, 0);
@@ -317,7 +317,7 @@ TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
     ASSERT_TRUE(paint(field.world, circle({U / 2, U / 2}, 2 * U), 5, PaintMode::fill));
     ASSERT_TRUE(cutOut(terrain, field.world, field.world.commit()));
     EXPECT_TRUE(terrain.isCurrent());
-    EXPECT_TRUE(terrain.held().empty());
+    EXPECT_TRUE(terrain.disabled().empty());
     EXPECT_EQ(std::pair(positionOf(body).x, positionOf(body).y), std::pair(at.x, at.y));
     EXPECT_TRUE(fits(terrain, body));
     step(120);
@@ -329,7 +329,7 @@ TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
   }
 }
 
-TEST_F(Box2dCaught, WhatIsPaintedGoesAroundBodies) {
+TEST_F(Box2dOverlap, WhatIsPaintedGoesAroundBodies) {
   Terrain terrain(physics, field.world);
   const Body body = addBody({0.6F, 0.36F}, Form::box, 0);
   step(60);
@@ -337,7 +337,7 @@ TEST_F(Box2dCaught, WhatIsPaintedGoesAroundBodies) {
   const auto room = test::must(withoutBodies(terrain, circle({U / 2, U / 2}, 2 * U)));
   ASSERT_TRUE(paint(field.world, room, 5, PaintMode::fill));
   const Changes& changes = field.world.commit();
-  EXPECT_TRUE(terrain.caughtBy(changes).empty());
+  EXPECT_TRUE(terrain.overlapsWith(changes).empty());
   ASSERT_TRUE(terrain.sync(changes));
   EXPECT_TRUE(fits(terrain, body));
   EXPECT_EQ(field.world.at({U / 2, 5 * U / 4}).block, 5U);
