@@ -60,7 +60,7 @@ class Painter {
   Block any() { return random_.pick(habits_.blocks); }
   std::int64_t between(std::int64_t least, std::int64_t most) { return random_.between(least, most); }
   std::vector<Ring> rings() {
-    if (!habits_.corners.empty() && random_.chance(30)) return {passing()};
+    if (!habits_.last.empty() && random_.chance(30)) return random_.chance(60) ? std::vector<Ring>{passing()} : again();
     return crossingRings(habits_.tight ? *habits_.tight : tightAt(place(), random_), random_);
   }
 
@@ -211,12 +211,30 @@ class Painter {
 
   /// A triangle with an edge that passes a corner by less than a unit or two.
   Ring passing() {
-    const Point corner = random_.pick(habits_.corners);
+    const Point corner = random_.pick(random_.pick(habits_.last));
     const Point step{between(-2'000, 2'000), between(-2'000, 2'000)};
     const std::int64_t to = between(1, 30), from = -between(1, 30);
     const auto along = [&](std::int64_t n) { return near({corner.x + n * step.x, corner.y + n * step.y}, 1); };
     const Point a = along(to), b = along(from);
     return {a, b, near(corner, kUnitsPerCell / 2)};
+  }
+
+  /// The last rings, and one of them with a corner less than a unit or two beside an edge, or what lies between that edge
+  /// and the corner. So edges that run side by side become one chain, which is an edge of the ground already.
+  std::vector<Ring> again() {
+    std::vector<Ring> all = habits_.last;
+    Ring ring = random_.pick(all);
+    const auto k = static_cast<std::size_t>(random_.below(static_cast<int>(ring.size())));
+    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+    const std::int64_t part = between(1, 15);
+    const Point beside = near({a.x + (b.x - a.x) * part / 16, a.y + (b.y - a.y) * part / 16}, 1);
+    if (random_.chance(50)) {
+      ring = {a, beside, b};
+    } else {
+      ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(k) + 1, beside);
+    }
+    all.push_back(std::move(ring));
+    return all;
   }
 
   /// As wide or high as a region may be, or a unit more, which must be refused.
@@ -303,9 +321,7 @@ std::vector<Call> strokeAt(Cell cell, StrokeHabits& habits, Random& random) {
   if (habits.can.regions)
     for (Call& call : calls)
       for (Ring& ring : call.brush.rings) ring = fit(ring, habits.can);
-  habits.corners.clear();
-  for (const std::vector<Point>& ring : calls.back().brush.rings)
-    habits.corners.insert(habits.corners.end(), ring.begin(), ring.end());
+  habits.last = calls.back().brush.rings;
   return calls;
 }
 

@@ -30,15 +30,16 @@ std::vector<Call> acrossSlivers(Cell cell, const std::vector<Block>& blocks, Ran
 struct StrokeHabits {
   std::vector<Block> blocks;        ///< at least one
   std::optional<Tight> tight = {};  ///< where all strokes are
-  std::vector<Point> corners = {};  ///< of the last ones: an edge may pass one of them by less than a unit
+  std::vector<std::vector<Point>> last =
+      {};  ///< rings: an edge may pass a corner of them, or a corner one of their edges
   /// For an engine that takes regions they are even-odd, go around nothing, and are fit for what it can.
   Capabilities can = Capabilities::all();
 };
 
 /// A stroke at a cell, of one of these blocks, and around another one now and then: circles, stars, rectangles, thick
 /// lines and rings that cross themselves, over several cells down to a few units; or as long as a region may be. A thick
-/// line is one call, or one for each of its parts. Before some strokes the cells around are filled. The corners are those
-/// of this one afterwards.
+/// line is one call, or one for each of its parts. Before some strokes the cells around are filled. The last rings are
+/// those of this one afterwards.
 std::vector<Call> strokeAt(Cell cell, StrokeHabits& habits, Random& random);
 
 }  // namespace lgs::oracle

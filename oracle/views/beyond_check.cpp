@@ -58,11 +58,24 @@ std::string BeyondCheck::update(const World& part, const WholeGround& whole, con
   return wrong;
 }
 
+bool BeyondCheck::stands(const ScenePolygon& p, const Moment& now) {
+  return std::ranges::any_of(now.polygons,
+                             [&](const ScenePolygon& q) { return p.cell == q.cell && p.vertices == q.vertices; });
+}
+
+/// Whether it was in an unloaded chunk, and was not there when that came back: no view has seen it.
+bool BeyondCheck::isLost(const ScenePolygon& p, const Moment& now) const {
+  const Cell chunk = chunkOf(p.cell);
+  return before_.away.contains(chunk) && !now.away.contains(chunk) && !stands(p, now);
+}
+
 /// Of the chunks that may count as beyond or not, those that have ground near, as far as all choices can be tried.
 std::vector<Cell> BeyondCheck::mayCount(const Moment& now) const {
   constexpr std::size_t kMost = 6;
   std::set<Cell> open = before_.empty;
   open.insert(now.empty.begin(), now.empty.end());
+  for (const ScenePolygon& p : before_.polygons)
+    if (isLost(p, now)) open.insert(chunkOf(p.cell));
   std::set<Cell> near;
   for (const Moment* moment : {&before_, &now})
     for (const ScenePolygon& p : moment->polygons)
@@ -131,15 +144,19 @@ std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, const std::s
   std::set<Cell> away = before_.away;
   away.insert(now.away.begin(), now.away.end());
   away.insert(counting.begin(), counting.end());
-  std::vector<ScenePolygon> all = before_.polygons;
+  std::vector<ScenePolygon> all;
+  std::vector<IslandId> islandOf;
+  for (std::size_t k = 0; k < before_.polygons.size(); ++k) {
+    if (counting.contains(chunkOf(before_.polygons[k].cell)) && isLost(before_.polygons[k], now)) continue;
+    all.push_back(before_.polygons[k]);
+    islandOf.push_back(before_.islandOf[k]);
+  }
+  const std::size_t olds = all.size();
   all.insert(all.end(), now.polygons.begin(), now.polygons.end());
-  const std::size_t olds = before_.polygons.size();
-  const auto isSame = [](const ScenePolygon& a, const ScenePolygon& b) {
-    return a.cell == b.cell && a.vertices == b.vertices;
-  };
+  islandOf.insert(islandOf.end(), now.islandOf.begin(), now.islandOf.end());
   // What was taken away and touched the square of a chunk that nobody sees.
   const auto isBeside = [&](const ScenePolygon& p) {
-    if (std::ranges::any_of(now.polygons, [&](const ScenePolygon& q) { return isSame(p, q); })) return false;
+    if (stands(p, now)) return false;
     for (const std::int32_t j : {-1, 0, 1}) {
       for (const std::int32_t i : {-1, 0, 1}) {
         const ScenePolygon square{{p.cell.i + i, p.cell.j + j}, 0, {kUnitSquare.begin(), kUnitSquare.end()}};
@@ -153,7 +170,7 @@ std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, const std::s
       unite(set, [&](std::size_t k) { return away.contains(chunkOf(all[k].cell)) || (k < olds && isBeside(all[k])); });
   std::map<std::size_t, Kin> sets;
   for (std::size_t k = 0; k < set.size(); ++k) {
-    const IslandId id = k < olds ? before_.islandOf[k] : now.islandOf[k - olds];
+    const IslandId id = islandOf[k];
     Kin& kin = sets[set[k]];
     kin.isBeyond = static_cast<std::ptrdiff_t>(set[k]) == beyond;
     if (id != kBeyond) (k < olds ? kin.olds : kin.news).insert(id);

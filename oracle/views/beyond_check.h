@@ -44,6 +44,8 @@ class BeyondCheck {
   };
 
   std::string read(const World& part, const WholeGround& whole, const Islands& islands, Moment& out) const;
+  static bool stands(const ScenePolygon& p, const Moment& now);
+  bool isLost(const ScenePolygon& p, const Moment& now) const;
   std::vector<Cell> mayCount(const Moment& now) const;
   std::vector<Kin> kinOf(const Moment& now, const std::set<Cell>& counting) const;
   std::string compare(const Islands& islands, const Moment& now, const std::set<Cell>& counting) const;

@@ -21,6 +21,11 @@ bool crosses(const Side& side, const Segment& part) {
   return (*pixel != part.start && *pixel != part.end) || (*pixel != side.low && *pixel != side.high);
 }
 
+/// Whether this is the chain, or a part of it, that a part of the region's edge becomes.
+bool isChainOf(const Side& side, const Segment& part) {
+  return (part.start == side.low && part.end == side.high) || (part.start == side.high && part.end == side.low);
+}
+
 bool isOnRim(const Side& s) {
   const auto isEnd = [](std::int64_t v) { return v == 0 || v == kUnitsPerCell; };
   return (s.low.x == s.high.x && isEnd(s.low.x)) || (s.low.y == s.high.y && isEnd(s.low.y));
@@ -29,7 +34,8 @@ bool isOnRim(const Side& s) {
 /// The region through the known points of a cell, together with the outlines of groups as they are.
 class RoundedRegion {
  public:
-  RoundedRegion(const Ground& ground, PieceSpan region, FillRule rule) : ground_(ground), region_(region), rule_(rule) {
+  RoundedRegion(const Ground& ground, PieceSpan region, const Stroke& stroke)
+      : ground_(ground), region_(region), stroke_(stroke) {
     Points chain;
     atoms_.reserve(ground.known.size() + ground.sides.size());
     parts_.reserve(ground.known.size());
@@ -51,31 +57,51 @@ class RoundedRegion {
   /// Whether a chain crosses the outline of a group.
   bool hasCrossing() const { return hasCrossing_; }
 
-  /// Whether a side is no obstacle. An edge of the rounded region is none, nor is the rim: where the region crosses
-  /// that is known. That of a polygon which must stay has to be outside, that of a group may not be where the exact
-  /// region is and the rounded one is not. If nothing crosses a side, one place tells of all of it.
+  /// Whether a side is no obstacle. The rim is none: where the region crosses it is known. An edge of a polygon that must
+  /// stay has to be outside.
   bool isFree(const Side& side) const {
-    const Point middle{side.low.x + side.high.x, side.low.y + side.high.y};  // doubled
+    const Point middle = doubledMiddle(side);
     const auto at = std::lower_bound(atoms_.begin(), atoms_.end(), side, [](const Atom& atom, const Side& s) {
       return atom.low != s.low ? atom.low < s.low : atom.high < s.high;
     });
     const bool isAtom = at != atoms_.end() && at->low == side.low && at->high == side.high;
     const Sum left = isAtom ? at->left : sumLeftOf(middle, atoms_), right = isAtom ? at->right : left;
-    const bool isFilledLeft = isFilled(left.winding, rule_), isFilledRight = isFilled(right.winding, rule_);
-    if (ground_.groups[side.area] == kNoGroup && (side.isLeft ? isFilledLeft : isFilledRight)) return false;
-    if (isFilledLeft != isFilledRight || isOnRim(side)) return true;
-    if (std::any_of(parts_.begin(), parts_.end(), [&](const Segment& part) { return crosses(side, part); }))
-      return false;
-    return isFilledLeft ||
-           (!isFilled(windingLeftOf(middle, region_), rule_) && !isFilled(windingRightOf(middle, region_), rule_));
+    const bool isFilledLeft = isFilled(left.winding), isFilledRight = isFilled(right.winding);
+    const bool isInside = side.isLeft ? isFilledLeft : isFilledRight, isOutline = isFilledLeft != isFilledRight;
+    if (isInside && ground_.groups[side.area] == kNoGroup) return false;
+    return isOnRim(side) || (isOutline ? isFreeOutline(side, isInside, (isFilledLeft ? right : left).group != 0)
+                                       : isFreeLine(side, isInside));
   }
 
   List<Atom> atoms() && { return std::move(atoms_); }
 
  private:
+  bool isFilled(std::int64_t winding) const { return brush::isFilled(winding, stroke_.rule); }
+
+  static Point doubledMiddle(const Side& side) { return {side.low.x + side.high.x, side.low.y + side.high.y}; }
+
+  /// An edge of the rounded region is free, unless another edge of the exact one crosses it, and what is outside would
+  /// have to change there: then what is between that edge and its chain is on the wrong side of this one.
+  bool isFreeOutline(const Side& side, bool isInside, bool isGroundOutside) const {
+    const bool changes =
+        isInside ? !isGroundOutside && stroke_.fillsFreePlaces()
+                 : ground_.groups[side.area] != kNoGroup && stroke_.changes(ground_.polygons[side.area].block);
+    return !changes || std::none_of(parts_.begin(), parts_.end(),
+                                    [&](const Segment& part) { return !isChainOf(side, part) && crosses(side, part); });
+  }
+
+  /// Any other edge may not be where the exact region is and the rounded one is not. If nothing crosses it, one place
+  /// tells of all of it.
+  bool isFreeLine(const Side& side, bool isInside) const {
+    if (std::any_of(parts_.begin(), parts_.end(), [&](const Segment& part) { return crosses(side, part); }))
+      return false;
+    const Point middle = doubledMiddle(side);
+    return isInside || (!isFilled(windingLeftOf(middle, region_)) && !isFilled(windingRightOf(middle, region_)));
+  }
+
   const Ground& ground_;
   PieceSpan region_;
-  const FillRule rule_;
+  const Stroke& stroke_;
   List<Segment> parts_;
   List<Atom> atoms_;
   bool hasCrossing_ = false;
@@ -83,8 +109,8 @@ class RoundedRegion {
 
 }  // namespace
 
-std::optional<List<Atom>> calmAtoms(const Ground& ground, PieceSpan region, FillRule rule) {
-  RoundedRegion rounded(ground, region, rule);
+std::optional<List<Atom>> calmAtoms(const Ground& ground, PieceSpan region, const Stroke& stroke) {
+  RoundedRegion rounded(ground, region, stroke);
   if (rounded.hasCrossing() ||
       !std::all_of(ground.sides.begin(), ground.sides.end(), [&](const Side& s) { return rounded.isFree(s); }))
     return std::nullopt;

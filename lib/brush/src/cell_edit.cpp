@@ -11,11 +11,7 @@
 #include <utility>
 
 namespace lgs::brush {
-namespace {
-
 using detail::nextVertex;
-
-}  // namespace
 
 bool meets(PieceSpan region, FillRule rule, const Points& ring) {
   if (region.empty() || ring.empty()) return false;
@@ -42,12 +38,12 @@ bool meets(PieceSpan region, FillRule rule, const Points& ring) {
 namespace {
 
 /// The atoms of the cell. Polygons that stand in the way become groups. Nothing if edges cross in too many points.
-std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rule) {
-  if (auto calm = calmAtoms(ground, region, rule)) return calm;
+std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, const Stroke& stroke) {
+  if (auto calm = calmAtoms(ground, region, stroke)) return calm;
   for (;;) {
     auto arrangement = arrangementOf(ground, region);
     if (!arrangement) return std::nullopt;
-    Rounding result = snapRounded(std::move(*arrangement), rule);
+    Rounding result = snapRounded(std::move(*arrangement), stroke.rule);
     if (result.inTheWay.empty()) return std::move(result.atoms);
     for (const std::size_t k : result.inTheWay) ground.groups[k] = k;
   }
@@ -56,7 +52,7 @@ std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rul
 /// By an arrangement. A ground without known points and sides gets them.
 CellEdit arranged(Ground& ground, const List<bool>& meeting, PieceSpan region, const Stroke& stroke) {
   CellEdit edit;
-  const auto atoms = addKnown(ground, region) ? atomsOf(ground, region, stroke.rule) : std::nullopt;
+  const auto atoms = addKnown(ground, region) ? atomsOf(ground, region, stroke) : std::nullopt;
   edit.isTooMuch = !atoms;
   if (!atoms) return edit;
   edit = divided(ground, *atoms, stroke);

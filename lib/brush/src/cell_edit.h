@@ -39,6 +39,11 @@ struct Stroke {
   const Staying* staying = nullptr;  ///< null: none
 
   bool stays(Block old) const { return staying != nullptr && (*staying)(old); }
+  /// Whether ground of a block becomes something else in the region, and whether what is free does.
+  bool changes(Block old) const {
+    return deed != Deed::fill && !(deed == Deed::replace && old == block) && !stays(old);
+  }
+  bool fillsFreePlaces() const { return deed != Deed::carve; }
 };
 
 /// A polygon of the cell, in units from the cell's corner.

@@ -27,6 +27,13 @@ bool isSameOutline(List<HalfEdge> now, const List<HalfEdge>& before) {
   return now == parts;
 }
 
+/// Whether rings have the same vertices in the same order.
+bool isSameRing(const Points& a, const Points& b) {
+  const auto first = std::ranges::find(b, a[0]);
+  return a.size() == b.size() && first != b.end() && std::equal(first, b.end(), a.begin()) &&
+         std::equal(b.begin(), first, a.begin() + (b.end() - first));
+}
+
 std::size_t cornersOf(const List<HalfEdge>& outline) {
   std::size_t count = 0;
   for (const Points& ring : ringsOf(outline)) count += ring.size();
@@ -64,15 +71,22 @@ class Division {
       old.clear();
       for (Owner k = all; k < paint_; ++k)
         if (unionOf_[k] == all) old.push_back(k);
-      edit.gone.insert(edit.gone.end(), old.begin(), old.end());
       const bool isOne = old.size() == 1 && unionOf_[paint_] != all;
       List<HalfEdge> outline = outlineOf(all);
       edit.isTooMuch = outline.size() > kMaxVerticesPerCell && cornersOf(outline) > kMaxVerticesPerCell;
       if (edit.isTooMuch) return edit;  // chords make it no less
       for (Points& ring : simplePolygons(std::move(outline))) {
+        // The chords of a hole may part what was united just where it was parted before.
+        const auto same =
+            std::ranges::find_if(old, [&](Owner k) { return isSameRing(ring, ground_.polygons[k].ring); });
+        if (same != old.end()) {
+          old.erase(same);
+          continue;
+        }
         List<std::size_t> from = isOne ? old : partsIn(ring, old, ground_);
         edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }
+      edit.gone.insert(edit.gone.end(), old.begin(), old.end());
     }
     detail::sort(edit.gone);
     return edit;

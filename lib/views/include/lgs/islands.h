@@ -72,7 +72,7 @@ struct IslandPair {
 ///
 /// kBeyond is there before and after, and is larger than all others. Its kin is also what was or is in a chunk that was
 /// or is unloaded; and what was taken away and touched the square of such a chunk. (One that holds nothing may count or
-/// not; so may one that was forgotten, until ground comes there.)
+/// not; so may one that was forgotten, until ground comes there, and ground that is not there when its chunk comes back.)
 struct IslandChanges {
   std::vector<IslandId> added;    ///< new ids of islands without kin before
   std::vector<IslandId> removed;  ///< ids that are no more, of islands without kin now
