@@ -56,7 +56,7 @@ struct Border {
   std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
   std::uint32_t lastSerial = 0;  ///< the greatest one that any of its cells gave out
   bool isAwake = true;           ///< the chunk's cells at the rim hold what they held; otherwise `runs` says it
-  bool isOwed = false;           ///< the world went back or forward since: of the cells in `kept` the bytes are wrong
+  bool bytesAreStale = false;    ///< the world went back or forward since: of the cells in `kept` the bytes are wrong
   std::vector<Run> runs;
   std::vector<Kept> kept;  ///< by cell: all of which there are notes
 

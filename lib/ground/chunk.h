@@ -43,7 +43,7 @@ struct Chunk {
   Facts everFacts = 0;                      ///< of all contents that any of its cells has or had
   bool isUnloaded = false;                  ///< its cells have what the chunks beside it need: see border.h
   std::array<Chunk*, 9> around{};           ///< row by row from the lower left; null where there is none
-  std::array<RowMask, kChunkSize> dirty{};  ///< cells edited since the last commit
+  std::array<RowMask, kChunkSize> dirty{};  ///< cells whose segments may be out of date
   std::uint64_t commonBlock = kNoBlock;     ///< of all cells that list no polygons, while `blocks` is null
   Owned<std::array<Block, kChunkCells>> blocks;
   std::array<Facts, kChunkCells> facts{};          ///< of each cell's content

@@ -27,7 +27,7 @@ void Ground::exchangeCell(Note& note) {
   const std::uint32_t number = note.key / kChunkCells, local = note.key % kChunkCells;
   Border* border = grid.border(number);
   if (border) {
-    border->isOwed = true;
+    border->bytesAreStale = true;
     border->lastSerial = std::max(border->lastSerial, lastSerial(held(note)));
   }
   const auto swap = [&](CellWord word, Block& block) {

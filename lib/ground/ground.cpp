@@ -4,7 +4,7 @@
 
 namespace lgs::detail {
 
-void Ground::commit() {
+void Ground::endCommit() {
   clearChanges();
   catalogue.collect();
 }

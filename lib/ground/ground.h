@@ -1,5 +1,6 @@
-// The ground: its cells, and the journal of what they held before. Every edit, whatever its door, ends in one
-// primitive, set(): this cell holds these polygons from now on.
+// The ground: its cells, and the journal of what they held before. Every edit ends in
+// put(), by set(): this cell holds these polygons from now on; or by setSole(), for one polygon in an empty cell. Two quick
+// ways beside it, setSoleAgain() and Edit::addSoles(), write the word of a cell themselves.
 //
 // The ground says which cells changed since the last commit. Views, such as the outline, are brought up to date by
 // that.
@@ -36,7 +37,7 @@ class Ground : public Cells {
     return at;
   }
   /// From now on nothing has changed.
-  void commit();
+  void endCommit();
 
   // --- The primitive
 

@@ -1,5 +1,5 @@
-// Chunks that leave memory, and come back: which the ground has, and not what it is. So none of it is noted, and nobody
-// goes back across it.
+// Chunks that leave memory, and come back: which the ground has, and not what it is. So no note of a cell says
+// it, and no roll-back crosses it; the next commit notes which outlines it renewed (Thing::streamed).
 //
 // Of an unloaded chunk the border stays known (border.h). While a loaded chunk is beside it, its cells at the rim hold
 // what they held, so that a commit can show and link them as ever: what is loaded gets the segments and ghosts that it
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> Ground::forgetChunks(const CellRect& cells) {
   }
   for (const std::uint32_t number : chunksWithin(cells, true)) {
     const Border& border = *grid.border(number);
-    if (grid.stateOf(number) != ChunkState::asleep || grid.hasLoadedBeside(border) || border.isOwed) continue;
+    if (grid.stateOf(number) != ChunkState::asleep || grid.hasLoadedBeside(border) || border.bytesAreStale) continue;
     for (const Border::Run& run : border.runs) drop(run.word);
     for (const Border::Kept& kept : border.kept) drop(kept.word);
     grid.forget(number);
@@ -216,7 +216,7 @@ void Ground::putRimToSleep(std::uint32_t number) {
 /// Kept cells that nobody can go back to any more are as the bytes say, unless the world went back since.
 void Ground::trim(std::uint32_t number) {
   Border& border = *grid.border(number);
-  if (border.kept.empty() || border.isOwed) return;
+  if (border.kept.empty() || border.bytesAreStale) return;
   const CellMask noted = notedCells(number);
   std::erase_if(border.kept, [&](const Border::Kept& kept) {
     if (contains(noted, kept.local)) return false;

@@ -31,7 +31,7 @@ class Outline {
   ~Outline() = default;
 
   /// Renews what the changed cells of the ground can have changed: the segments in them and beside them (law 5). Where
-  /// there is a journal, it gets what goes and changes.
+  /// there is a journal, it gets what comes, goes and changes.
   void update(const Ground& ground, Journal* journal, const Executor& executor);
 
   /// Of the last update, without the segments that are hidden.

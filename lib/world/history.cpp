@@ -72,7 +72,7 @@ void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   const Marked& found = *find(mark);
   const bool keeps = keepsAhead(found, undone), isFromWent = keeps && undone == Undone::keep;
   if (!keeps) forgetUndone();
-  keepOneMark(mark, undone);
+  dropLaterMarks(mark, undone);
   const Marked& to = marks_.back();
   travel(to, isFromWent, segmentsIn(ground_.journal.since(to.moment)), changes,
          [&](Moment moment) { undo(moment, undone); });
@@ -84,7 +84,7 @@ void History::rollBack(Mark mark, Undone undone, Changes& changes) {
 }
 
 /// Marks after this one are void, or ahead.
-void History::keepOneMark(Mark mark, Undone undone) {
+void History::dropLaterMarks(Mark mark, Undone undone) {
   for (; marks_.back().mark != mark; marks_.pop_back()) {
     if (undone == Undone::keep && marks_.back().of == Of::game)
       ahead_.push_back(std::move(marks_.back()));
@@ -189,7 +189,7 @@ bool History::streamAtOnce(const Marked& to) {
   renewOutline({});
   const bool isDone = !ground_.changedChunks().empty();
   if (isDone && !ground_.journal.isNoted(Thing::commit, 0)) ground_.journal.add(Thing::commit, 0);
-  ground_.commit();
+  ground_.endCommit();
   freeSleeping();
   return isDone;
 }
@@ -216,7 +216,7 @@ void History::exchange(Note& note) {
 void History::takeBack(Mark mark) {
   assert(knows(mark, Of::group) && !committedSince(mark));
   if (!ahead_.empty() && ground_.journal.isEarlier(find(mark)->moment, went_)) forgetUndone();
-  keepOneMark(mark, Undone::drop);
+  dropLaterMarks(mark, Undone::drop);
   ground_.takeBack(marks_.back().moment);
   while (ground_.catalogue.shapeCount() > marks_.back().shapes) static_cast<void>(ground_.catalogue.takeShape());
 }

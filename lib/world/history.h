@@ -62,7 +62,7 @@ class History {
     renewOutline(executor);
     if (ground_.journal.isOn()) [[unlikely]]
       noteCommit();
-    ground_.commit();
+    ground_.endCommit();
     if (ground_.isSleepy()) [[unlikely]]
       freeSleeping();
   }
@@ -104,7 +104,7 @@ class History {
   void noteCommit();
   void freeSleeping();
   void letGo(const Marked& mark);
-  void keepOneMark(Mark mark, Undone undone);
+  void dropLaterMarks(Mark mark, Undone undone);
   bool isWhereItWent() const;
   void setWent(const Marked& to);
   bool keepsAhead(const Marked& to, Undone undone) const;

@@ -64,7 +64,7 @@ std::optional<SnapshotError> load(std::span<const std::byte> bytes, Ground& grou
   if (in.left() != 0) in.fail(What::tooLong);
   if (in.failed()) return errorOf(in);
   outline.linkAll(ground);
-  ground.commit();
+  ground.endCommit();
   return std::nullopt;
 }
 

@@ -42,7 +42,7 @@ struct WornWorld {
 
   const Changes& commit() {
     impl.outline.update(impl.ground, nullptr, {});
-    impl.ground.commit();
+    impl.ground.endCommit();
     return impl.outline.changes();
   }
 

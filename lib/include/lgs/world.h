@@ -371,7 +371,8 @@ class World {
 
   /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
   /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the
-  /// commit or roll-back before. After a roll-back these are the cells that were edited, and committed, since the last
+  /// commit or roll-back before, and those of chunks that left memory or came back: empty after, or before. A chunk of
+  /// which no other cell is named is named by one that is empty both times. After a roll-back these are the cells that were edited, and committed, since the last
   /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are reported by the
   /// next commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it
   /// held. Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost:

@@ -11,8 +11,10 @@
 //   …
 //   if (world.rollBack(mark)) terrain.sync(world.changesOfRollBack()), falling.afterRollBack();  // islands, too
 //   …
-//   for (const auto& [body, ground] : falling.bodies()) …     // those that sleep, say
-//     if (!body->IsAwake()) falling.settle(body);             // an edit again: it is ground
+//   std::vector<b2Body*> asleep;                              // settle() changes the list of bodies()
+//   for (const auto& rock : falling.bodies())
+//     if (!rock.body->IsAwake()) asleep.push_back(rock.body);
+//   for (b2Body* body : asleep) falling.settle(body);         // an edit again: it is ground
 //
 // A body is made after the sync that took its edges away. So it never touches the ground that it was part of.
 #pragma once
