@@ -272,13 +272,14 @@ Ring fit(const Ring& ring, const Capabilities& can) {
 }  // namespace
 
 std::vector<Ring> crossingRings(const Tight& lattice, Random& random) {
-  const auto& [at, step] = lattice;
+  const auto place = [&lattice, &random] {
+    const std::int64_t x = random.between(-12, 12), y = random.between(-12, 12);
+    return Point{lattice.centre.x + lattice.step * x, lattice.centre.y + lattice.step * y};
+  };
   std::vector<Ring> rings(1 + random.below(2U));
   for (Ring& ring : rings) {
-    for (std::int64_t k = random.between(3, 7); k > 0; --k) {
-      const std::int64_t x = random.between(-12, 12), y = random.between(-12, 12);
-      ring.push_back({at.x + step * x, at.y + step * y});
-    }
+    for (std::int64_t k = random.between(3, 7); k > 0; --k) ring.push_back(place());
+    if (random.chance(15)) ring.insert(ring.begin() + 1, {place(), ring.front()});  // there and back
   }
   return rings;
 }

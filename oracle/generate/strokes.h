@@ -19,7 +19,7 @@ struct Tight {
 };
 Tight tightAt(Point centre, Random& random);
 
-/// Rings on such a lattice: they cross, touch and overlap.
+/// Rings on such a lattice: they cross, touch and overlap, and have spikes.
 std::vector<std::vector<Point>> crossingRings(const Tight& lattice, Random& random);
 
 /// A cell is emptied, gets triangles of one unit's height side by side, and a region across some: vertices of each are

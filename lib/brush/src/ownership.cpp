@@ -71,23 +71,17 @@ class Division {
       old.clear();
       for (Owner k = all; k < paint_; ++k)
         if (unionOf_[k] == all) old.push_back(k);
+      edit.gone.insert(edit.gone.end(), old.begin(), old.end());
       const bool isOne = old.size() == 1 && unionOf_[paint_] != all;
       List<HalfEdge> outline = outlineOf(all);
       edit.isTooMuch = outline.size() > kMaxVerticesPerCell && cornersOf(outline) > kMaxVerticesPerCell;
       if (edit.isTooMuch) return edit;  // chords make it no less
       for (Points& ring : simplePolygons(std::move(outline))) {
-        // The chords of a hole may part what was united just where it was parted before.
-        const auto same =
-            std::ranges::find_if(old, [&](Owner k) { return isSameRing(ring, ground_.polygons[k].ring); });
-        if (same != old.end()) {
-          old.erase(same);
-          continue;
-        }
         List<std::size_t> from = isOne ? old : partsIn(ring, old, ground_);
         edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }
-      edit.gone.insert(edit.gone.end(), old.begin(), old.end());
     }
+    keepSame(edit);
     detail::sort(edit.gone);
     return edit;
   }
@@ -107,6 +101,21 @@ class Division {
         return paint_;
     }
     return nobody_;
+  }
+
+  /// Polygons that come out as they were stay: the chords of a hole may part what was united just where it was parted
+  /// before.
+  void keepSame(CellEdit& edit) const {
+    std::erase_if(edit.placed, [&](const NewPart& part) {
+      const auto same = std::ranges::find_if(edit.gone, [&](std::size_t k) {
+        return ground_.polygons[k].block == part.block && isSameRing(part.ring, ground_.polygons[k].ring);
+      });
+      if (same == edit.gone.end()) return false;
+      edit.gone.erase(same);
+      return true;
+    });
+    for (NewPart& part : edit.placed)
+      std::erase_if(part.from, [&](std::size_t k) { return std::ranges::find(edit.gone, k) == edit.gone.end(); });
   }
 
   Block blockOf(Owner owner) const { return owner == paint_ ? stroke_.block : ground_.polygons[owner].block; }

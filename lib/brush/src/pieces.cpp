@@ -120,6 +120,38 @@ Pieces cutAtEnds(PieceSpan pieces) {
   return parts;
 }
 
+/// A piece, and how often it is there.
+struct Repeated {
+  Piece piece;
+  std::int64_t times;
+};
+
+/// Pieces of lines between cells, sorted along each line, are joined where no edge of the region ends: a spike ended
+/// there, and without it the cell would have no vertex there.
+void joinAlongLines(List<Repeated>& pieces) {
+  Points ends;
+  for (const Repeated& r : pieces)
+    if (r.piece.isOfRegion) ends.insert(ends.end(), {r.piece.start, r.piece.end});
+  normalize(ends);
+  const auto follows = [&](const Piece& p, const Piece& q) {
+    return p.end == q.start && detail::orientation(p.start, p.end, q.end) == 0 &&
+           !std::binary_search(ends.begin(), ends.end(), p.end);
+  };
+  std::size_t count = 0;
+  for (const Repeated& r : pieces) {
+    Repeated* const last = count == 0 ? nullptr : &pieces[count - 1];
+    const bool isAlike = last != nullptr && last->times == r.times && !last->piece.isOfRegion && !r.piece.isOfRegion;
+    if (isAlike && follows(last->piece, r.piece)) {
+      last->piece.b = last->piece.end = r.piece.end;
+    } else if (isAlike && follows(r.piece, last->piece)) {
+      last->piece.a = last->piece.start = r.piece.start;
+    } else {
+      pieces[count++] = r;
+    }
+  }
+  pieces.resize(count);
+}
+
 /// Edges that are cut at the rim may cross within a unit of it, though their ends are rounded to where they do not.
 bool doCross(PieceSpan pieces) {
   const auto doMeet = [](const Piece& p, const Piece& q) { return p.end == p.b && q.start == q.a && p.b == q.a; };
@@ -195,7 +227,7 @@ std::optional<Pieces> withoutSpikes(PieceSpan pieces, FillRule rule) {
         {Carrier(p), std::min(p.start, p.end), std::max(p.start, p.end), p.start < p.end ? 1 : -1, p, all.size()});
   detail::sort(
       all, [](const Keyed& a, const Keyed& b) { return a.key() != b.key() ? a.key() < b.key() : a.place < b.place; });
-  Pieces kept;
+  List<Repeated> left;
   for (std::size_t k = 0; k < all.size();) {
     const std::size_t first = k;
     std::int64_t turns = 0;
@@ -210,8 +242,11 @@ std::optional<Pieces> withoutSpikes(PieceSpan pieces, FillRule rule) {
       std::swap(piece.a, piece.b);
       std::swap(piece.start, piece.end);
     }
-    for (std::int64_t times = std::abs(turns); times > 0; --times) kept.push_back(piece);
+    if (turns != 0) left.push_back({piece, std::abs(turns)});
   }
+  joinAlongLines(left);
+  Pieces kept;
+  for (const Repeated& r : left) kept.insert(kept.end(), static_cast<std::size_t>(r.times), r.piece);
   return kept;
 }
 
