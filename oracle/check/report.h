@@ -35,7 +35,8 @@ using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
 FindAgain sameKind(Mismatch::Kind kind, const CheckOptions& options);
 
 /// Shrinks with an engine that lives on from trial to trial. What is left must fail in a new one; if it does not, the
-/// engine keeps something over a reset, and each trial gets a new one. A hang is shrunk for four time-outs at most.
+/// engine keeps something over a reset, and each trial gets a new one. A hang is shrunk in haste, for three time-outs at
+/// most; where what is left is only slow, what was undone again is left out alone.
 Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
                        std::chrono::milliseconds budget);
 

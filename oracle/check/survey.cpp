@@ -57,7 +57,7 @@ void Survey::add(const Mismatch& found, const Trace& trace, const CheckStats& st
     const State state = shrink(kind, entry, found, trace);
     few += state == State::known && !isHang ? 0 : 1;  // however many are known, a new one does not hide behind them
   }
-  if (isHang && entry.count >= kHangs) options_.engine->hurry(true);
+  if (isHang && entry.count >= kHangs) options_.engine->hurry(Engine::Haste::some);
   write(stats);
 }
 

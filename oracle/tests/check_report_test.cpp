@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <functional>
-#include <thread>
 
 namespace lgs::oracle::reporting {
 namespace {
@@ -42,10 +41,8 @@ class Wrong : public ReferenceEngine {
     return outline;
   }
   void restart() override { ++restarts; }
-  void hurry(bool isInHurry) override { hurries.push_back(isInHurry); }
 
   int restarts = 0;
-  std::vector<bool> hurries;
 
  private:
   std::function<void(Outline&)> change_;
@@ -109,32 +106,6 @@ TEST_F(CheckReport, WithoutTimeHasTheTraceUpToTheMismatch) {
   const std::string text = reported(trace, {.engine = &engine}, to(0ms));
   expectSaid(text, "shrinking", false);
   EXPECT_EQ(saved(), (Trace{{}, {trace.calls.begin(), trace.calls.begin() + 4}}));
-}
-
-// It never answers, which is waited for each time.
-class Hanging : public ReferenceEngine {
- public:
-  Hanging() : ReferenceEngine(true, false) {}
-  Refusals commit() override {
-    ++commits;
-    std::this_thread::sleep_for(5ms);
-    return tl::unexpected(Failure{Failure::Kind::hang, "hangs"});
-  }
-  std::chrono::duration<double> timeout() const override { return 10ms; }
-
-  int commits = 0;
-};
-
-TEST_F(CheckReport, AHangIsShrunkForFourTimeouts) {
-  Hanging engine;
-  Trace trace;
-  for (std::int32_t i = 0; i < 30; ++i)
-    trace.calls.push_back(Call::add("s" + std::to_string(i), {{7 * i, 5}, 3, {{0, 0}, {9'999, 7}, {65'535, 65'535}}}));
-  trace.calls.push_back(Call::commit());
-  const CheckOptions options{.engine = &engine};
-  const Mismatch found = must(findMismatch(trace, options));
-  shrinkWithEngine(found, trace, engine, sameKind(found.kind, options), 60s);
-  EXPECT_LE(engine.commits, 2 + 4 * 2 + 4) << "found, shrunk, and looked at again";
 }
 
 TEST_F(CheckReport, SaysThatItWasNotThereAgain) {
@@ -214,20 +185,6 @@ TEST_F(CheckReport, OfACrashThatIsNotThereAgain) {
   expectSaid(text, "\nthe engine hung, but not again\n");
   expectSaid(text, "look at it", false);
   EXPECT_EQ(saved(), fourSquares());
-}
-
-TEST_F(CheckReport, HurriesAnEngineThatHangsWhileItIsLookedForAgain) {
-  for (const auto& [kind, hurries] : {std::pair{Mismatch::Kind::hang, true}, {Mismatch::Kind::crash, false}}) {
-    Wrong engine([](Outline&) {});
-    const Trace trace = fourSquares();
-    Mismatch found;
-    found.kind = kind;
-    found.edits = 4;
-    EXPECT_EQ(shrinkWithEngine(
-                  found, trace, engine, [](const Trace&) { return std::nullopt; }, 1s),
-              untilFound(trace, found));
-    EXPECT_EQ(engine.hurries, (std::vector<bool>{hurries, false}));
-  }
 }
 
 TEST_F(CheckReport, IsNoSmallerThanWhatABegunEngineShows) {
