@@ -48,6 +48,7 @@ void save(const Trace& trace, const Views& views, const ReportOptions& report, b
   const bool pageWritten = writeOrComplain(base + ".html", views.page);
   const bool written = writeOrComplain(base + ".svg", views.picture) && pageWritten && traceWritten;
   if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\npage       {0}.html\n", base);
+  if (const std::string link = linkTo(report.site, trace); !link.empty()) fmt::print("link       {}\n", link);
   fmt::print("again      {}\n", report.reproduce);
   if (written && replays) {
     const std::string cd = report.engine.empty() ? "" : fmt::format("cd {} && ", thisFolder());

@@ -20,6 +20,7 @@ struct ReportOptions {
   std::string lgs = "lgs";  ///< the lgs command, as a shell takes it
   std::string engine = {};  ///< the options that name the engine, with a blank before; empty for this library's
   bool views = false;       ///< views followed the world
+  std::string site = {};    ///< where a copy of the sandbox is served, if anywhere
 };
 
 /// Where a trace goes, without its ending: nothing that an earlier run found is replaced, but by the same.

@@ -89,6 +89,20 @@ TEST_F(CheckReport, HasTheSmallestTraceAndWhereItIs) {
   expectSaid(page, "\"expectedName\":\"naive reference\"");
 }
 
+// As decodeURIComponent() reads it.
+TEST_F(CheckReport, HasALinkWhereTheSandboxIsServed) {
+  Wrong engine([](Outline& o) { o.pop_back(); });
+  ReportOptions report = to(60s);
+  report.site = "http://host/a/";
+  expectSaid(reported(fourSquares(), {.engine = &engine}, report),
+             "\nlink       http://host/a/#plain=lgs-trace%201%0Aadd%20p1%200%200%201%20%200%200%20");
+  expectSaid(reported(fourSquares(), {.engine = &engine}, to(60s)), "\nlink ", false);
+  Trace many;
+  for (int k = 0; k < 200; ++k) many.calls.push_back(square(std::to_string(k), {k, 0}));
+  EXPECT_EQ(linkTo(report.site, many), "") << "it is too long";
+  EXPECT_EQ(linkTo(report.site, {}), "");
+}
+
 TEST_F(CheckReport, ReplacesNothingOfAnEarlierRun) {
   Wrong engine([](Outline& o) { o.pop_back(); });
   Trace other = fourSquares();
@@ -204,7 +218,9 @@ class CheckSurvey : public CheckReport {
     CheckReport::SetUp();
     std::filesystem::create_directories(path("report"));
   }
-  Survey survey(Engine* engine) const { return Survey({.engine = engine}, {path("report"), "lgs check --all", 60s}); }
+  Survey survey(Engine* engine) const {
+    return Survey({.engine = engine}, {path("report"), "lgs check --all", 60s, 3, {}, "../site/"});
+  }
   static void add(Survey& survey, Engine& engine, const Trace& trace) {
     survey.add(must(findMismatch(trace, {.engine = &engine})), trace, {.edits = 12, .commits = 1});
   }
@@ -221,6 +237,8 @@ TEST_F(CheckSurvey, KeepsTheSmallestTraceOfEachKind) {
              "[wrong-block.html](wrong-block.html) |\n");
   expectSaid(md, "\n## wrong block\n\n    lgs-trace 1\n    add p1 ");
   expectSaid(md, "\n    after edit 2 (1 commit): the outline differs from the naive reference's:\n    wrong block: ");
+  expectSaid(md, "\n[in the sandbox](../site/#plain=lgs-trace%201%0Aadd%20p1%20");
+  expectSaid(get("report/report.html"), "<p><a href=\"../site/#plain=lgs-trace%201%0Aadd%20p1%20");
   expectSaid(get("report/report.html"),
              "<tr><td><a href=\"#wrong-block\">wrong block</a><td>1<td><a "
              "href=\"wrong-block.trace\">2 edits</a>");

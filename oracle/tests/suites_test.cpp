@@ -125,8 +125,8 @@ TEST_F(Suites, OfWktAndXml) {
   expectSquares(mixed, kAllAreas);
   ASSERT_EQ(mixed.leftOut.size(), 1U);
   EXPECT_EQ(mixed.leftOut.begin()->second, 2U) << "a pair with a point, and a last one";
-  const std::string program =
-      "s[1] = {\"" + a + "\"};\ns[2] = {\"POLYGON((0 0, 4 0,\\\n4 4, 0 4, 0 0))\", \"" + b + "\"};";
+  const std::string program = "// Polygon (as above)\ns[1] = {\"" + a +
+                              "\"};\ns[2] = {\"POLYGON((0 0, 4 0,\\\n4 4, 0 4, 0 0))\", \"" + b + "\"};";
   const Suite strings = read("cases.hpp", program);
   expectSquares(strings, kAllAreas);
   EXPECT_EQ(strings.leftOut.begin()->second, 1U) << "one that is alone";
