@@ -129,6 +129,11 @@ void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
       command, "--shrink", [&arguments](double seconds) { arguments.shrinkSeconds = seconds; }, {0, 86'400},
       "Seconds to spend on shrinking a mismatch; default 20")
       ->option_text("SECONDS");
+  command
+      .add_option("--site", arguments.site,
+                  "Where a copy of the sandbox is served (web/README.md): print a link\n"
+                  "that opens a mismatch's trace there, to step through and check")
+      ->option_text("ADDRESS");
   command.add_option("--svg", arguments.svg, "Draw the last world to this file, if there is no mismatch")
       ->option_text("FILE");
 }

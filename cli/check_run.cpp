@@ -44,7 +44,7 @@ std::chrono::milliseconds shrinkTime(const CheckArguments& arguments) {
 ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
   return {arguments.out,         checked.name,       checked.reproduce,
           shrinkTime(arguments), thisProgram("lgs"), arguments.engine.print(),
-          checked.areFollowed};
+          checked.areFollowed,   arguments.site};
 }
 
 CheckOptions caseOptions(const CheckArguments& arguments) {

@@ -38,6 +38,7 @@ struct CheckArguments {
   std::vector<std::string> suites;  ///< files and folders of suites that others wrote
   std::string out = "out";
   std::string svg;
+  std::string site;               ///< where a copy of the sandbox is served
   std::optional<double> seconds;  ///< how long it runs, instead of `edits`
   SurveyArguments survey;
   double shrinkSeconds = 20;

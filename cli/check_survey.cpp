@@ -122,8 +122,8 @@ Status SurveyRun::playFirst(CheckStats& stats) {
   const auto& [known, replay] = std::tie(arguments_.survey.known, arguments_.survey.replay);
   constexpr std::uint64_t kFew = 3, kToTellApart = 10, kAll = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t shrunk = known.empty() ? kFew : arguments_.survey.fix ? kAll : kToTellApart;
-  survey_.emplace(options_,
-                  SurveyOptions{arguments_.survey.report, again(arguments_), shrinkTime(arguments_), shrunk, known_});
+  survey_.emplace(options_, SurveyOptions{arguments_.survey.report, again(arguments_), shrinkTime(arguments_), shrunk,
+                                          known_, arguments_.site});
   for (const KnownMismatch& one : known_) {
     const auto found = play(one.trace, known, stats);
     if (!found) return found.error();

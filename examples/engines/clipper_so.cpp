@@ -8,13 +8,10 @@
 
 #include <map>
 #include <string>
-#include <tuple>
 
 namespace {
 
 using ClipperLib::Path;
-using ClipperLib::Paths;
-
 using Polygons = std::map<std::string, Path>;  // by name: the whole engine
 
 Polygons& polygonsOf(void* self) { return *static_cast<Polygons*>(self); }
@@ -23,24 +20,21 @@ void* create() { return new Polygons; }
 void destroy(void* self) { delete &polygonsOf(self); }
 void reset(void* self) { polygonsOf(self).clear(); }
 void preserve(void*, std::uint32_t, std::uint32_t) {}
+void remove(void* self, const char* name) { polygonsOf(self).erase(name); }
 
 void add(void* self, const char* name, std::int32_t i, std::int32_t j, std::uint32_t, const std::int32_t* xy,
          std::size_t vertices) {
-  Path polygon;
+  Path& polygon = polygonsOf(self)[name];
   for (std::size_t k = 0; k < vertices; ++k) {
     const lgs::Point at = lgs::toWorld({i, j}, {xy[2 * k], xy[2 * k + 1]});
     polygon.emplace_back(at.x, at.y);
   }
-  polygonsOf(self)[name] = polygon;
 }
-
-void remove(void* self, const char* name) { polygonsOf(self).erase(name); }
 
 // Outer rings are counter-clockwise, holes clockwise: the solid is on the left.
 void tell(const Path& ring, const lgs_engine_answer* answer) {
-  const std::size_t n = ring.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto& [before, a, b, after] = std::tie(ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n], ring[(k + 2) % n]);
+  for (std::size_t k = 0, n = ring.size(); k < n; ++k) {
+    const auto &before = ring[(k + n - 1) % n], &a = ring[k], &b = ring[(k + 1) % n], &after = ring[(k + 2) % n];
     const lgs_engine_segment segment{{a.X, a.Y}, {b.X, b.Y}, {before.X, before.Y}, {after.X, after.Y}, 0, 0};
     answer->segments(answer->to, &segment, 1);
   }
@@ -49,7 +43,7 @@ void tell(const Path& ring, const lgs_engine_answer* answer) {
 void commit(void* self, const lgs_engine_answer* answer) {
   ClipperLib::Clipper clipper;
   for (const auto& [name, polygon] : polygonsOf(self)) clipper.AddPath(polygon, ClipperLib::ptSubject, true);
-  Paths united;
+  ClipperLib::Paths united;
   clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   for (const Path& ring : united) tell(ring, answer);
 }

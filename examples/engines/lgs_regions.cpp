@@ -9,13 +9,8 @@
 #include <algorithm>
 #include <iostream>
 #include <set>
-#include <sstream>
-#include <string>
-#include <utility>
 
 namespace {
-
-using Pairs = std::set<std::pair<lgs::Block, lgs::Block>>;
 
 lgs::Region regionOf(std::istringstream& words) {
   lgs::Region region{{}, lgs::FillRule::evenOdd};
@@ -26,24 +21,16 @@ lgs::Region regionOf(std::istringstream& words) {
   return region;
 }
 
-void print(const lgs::World& world) {
-  const auto printGhost = [](lgs::SegmentId neighbour, lgs::Point p) {
-    neighbour ? std::cout << ' ' << p.x << ' ' << p.y : std::cout << " - -";
-  };
-  for (const lgs::SegmentId id : world.segments()) {
-    const lgs::Segment s = *world.segment(id);
-    std::cout << "segment " << s.start.x << ' ' << s.start.y << ' ' << s.end.x << ' ' << s.end.y;
-    printGhost(s.predecessor, s.ghost1);
-    printGhost(s.successor, s.ghost2);
-    std::cout << ' ' << s.block << '\n';
-  }
-  std::cout << "end" << std::endl;
+void print(const lgs::Segment& s) {
+  const auto end = [](lgs::Point p) { return ' ' + std::to_string(p.x) + ' ' + std::to_string(p.y); };
+  std::cout << "segment" << end(s.start) << end(s.end) << (s.predecessor ? end(s.ghost1) : " - -")
+            << (s.successor ? end(s.ghost2) : " - -") << ' ' << s.block << '\n';
 }
 
 }  // namespace
 
 int main() {
-  Pairs preserved;
+  std::set<std::pair<lgs::Block, lgs::Block>> preserved;
   lgs::World world;
   for (std::string line; std::getline(std::cin, line);) {
     std::istringstream words(line);
@@ -57,8 +44,7 @@ int main() {
       world = lgs::World();
     } else if (word == "preserve" && words >> a >> b) {
       preserved.insert(std::minmax(a, b));
-      world = lgs::World(
-          [preserved](lgs::Block one, lgs::Block other) { return preserved.contains(std::minmax(one, other)); });
+      world = lgs::World([preserved](lgs::Block c, lgs::Block d) { return preserved.contains(std::minmax(c, d)); });
     } else if (word == "paint" && words >> a >> mode) {
       const bool fills = mode == "fill";
       static_cast<void>(paint(world, regionOf(words), a, fills ? lgs::PaintMode::fill : lgs::PaintMode::replace));
@@ -66,7 +52,8 @@ int main() {
       static_cast<void>(carve(world, regionOf(words)));
     } else if (word == "commit") {
       world.commit();
-      print(world);
+      for (const lgs::SegmentId id : world.segments()) print(*world.segment(id));
+      std::cout << "end" << std::endl;
     }
   }
 }

@@ -24,25 +24,23 @@ void destroy(void* self) { delete &engineOf(self); }
 void reset(void* self) { engineOf(self) = Engine(); }
 
 void preserve(void* self, std::uint32_t b1, std::uint32_t b2) {
-  Engine& engine = engineOf(self);
-  engine.preserved.insert(std::minmax(b1, b2));
-  engine.world =
-      lgs::World([pairs = engine.preserved](lgs::Block a, lgs::Block b) { return pairs.contains(std::minmax(a, b)); });
+  auto& [pairs, world, handles, refused] = engineOf(self);
+  pairs.insert(std::minmax(b1, b2));
+  world = lgs::World([known = pairs](lgs::Block a, lgs::Block b) { return known.contains(std::minmax(a, b)); });
 }
 
 void add(void* self, const char* name, std::int32_t i, std::int32_t j, std::uint32_t block, const std::int32_t* xy,
          std::size_t vertices) {
-  Engine& engine = engineOf(self);
+  auto& [pairs, world, handles, refused] = engineOf(self);
   std::vector<lgs::LocalPoint> points;
   for (std::size_t k = 0; k < vertices; ++k) points.push_back({xy[2 * k], xy[2 * k + 1]});
-  const auto handle = engine.world.add({i, j}, points, block);
-  handle ? void(engine.handles[name] = *handle) : engine.refused.push_back({name, lgs::message(handle.error())});
+  const auto handle = world.add({i, j}, points, block);
+  handle ? void(handles[name] = *handle) : refused.push_back({name, lgs::message(handle.error())});
 }
 
 void remove(void* self, const char* name) {
-  Engine& engine = engineOf(self);
-  if (const auto done = engine.world.remove(engine.handles[name]); !done)
-    engine.refused.push_back({name, lgs::message(done.error())});
+  auto& [pairs, world, handles, refused] = engineOf(self);
+  if (const auto done = world.remove(handles[name]); !done) refused.push_back({name, lgs::message(done.error())});
 }
 
 void commit(void* self, const lgs_engine_answer* answer) {

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Shapely (which is GEOS) as an engine of regions for `lgs check --engine`: what is solid is kept in doubles, and its
-outline is rounded to the lattice at each commit.
+"""Shapely (which is GEOS) as an engine of regions for `lgs check --engine`: it keeps doubles, and rounds its outline.
 
     lgs check --engine 'python3 examples/engines/shapely_regions.py' --edits 500"""
 import sys
@@ -13,9 +12,8 @@ UNITS = 65536  # of the lattice, in a cell
 
 def rings_of(words):
     """`x y x y … | x y …`, in cells."""
-    for part in " ".join(words).split("|"):
-        numbers = [float(word) * UNITS for word in part.split()]  # exact
-        yield list(zip(numbers[::2], numbers[1::2]))
+    parts = [[float(word) * UNITS for word in part.split()] for part in " ".join(words).split("|")]  # exact
+    return [list(zip(numbers[::2], numbers[1::2])) for numbers in parts]
 
 
 def is_inside(point, rings):
@@ -23,8 +21,7 @@ def is_inside(point, rings):
     x, y, odd = point.x, point.y, False
     for ring in rings:
         for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
-            if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
-                odd = not odd
+            odd ^= (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay)
     return odd
 
 
@@ -37,9 +34,8 @@ def region_of(rings):
 def segments(solid):
     for part in getattr(solid, "geoms", [solid]):
         for ring in (part.exterior, *part.interiors) if isinstance(part, Polygon) else ():
-            points = [(round(x), round(y)) for x, y in ring.coords]
-            if ring.is_ccw != (ring is part.exterior):  # the solid is on the left
-                points.reverse()
+            turn = 1 if ring.is_ccw == (ring is part.exterior) else -1  # the solid is on the left
+            points = [(round(x), round(y)) for x, y in ring.coords[::turn]]
             yield from ((*a, *b) for a, b in zip(points, points[1:]) if a != b)
 
 
@@ -52,9 +48,9 @@ def main():
         elif word == "reset":
             solid = Polygon()
         elif word == "paint":  # of one block, the modes are the same
-            solid = solid.union(region_of(list(rings_of(rest[2:]))))
+            solid = solid.union(region_of(rings_of(rest[2:])))
         elif word == "carve":
-            solid = solid.difference(region_of(list(rings_of(rest))))
+            solid = solid.difference(region_of(rings_of(rest)))
         elif word == "commit":
             for ends in segments(solid):
                 print("segment", *ends, "- - - - 0")

@@ -145,6 +145,19 @@ std::string printTrace(const Trace& trace, std::string_view comment) {
   return text.substr(0, secondLine) + lines + text.substr(secondLine);
 }
 
+std::string linkTo(const std::string& site, const Trace& trace) {
+  constexpr std::size_t kLongest = 4'000;
+  const std::string text = printTrace(trace);
+  if (site.empty() || trace.calls.empty() || text.size() > kLongest) return "";
+  std::string link = site + "#plain=";
+  for (const char c : text) {
+    const bool isPlain =
+        ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '-' || c == '.';
+    link += isPlain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return link;
+}
+
 std::optional<Mismatch> findMismatch(const Trace& trace, const CheckOptions& options) {
   CheckStats stats;
   auto result = checkTrace(trace, options, stats);

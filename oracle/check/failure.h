@@ -45,6 +45,10 @@ std::string pageWithoutEngine(const Trace& trace, const std::string& title);
 /// The trace as text, with a comment of one or more lines after its first.
 std::string printTrace(const Trace& trace, std::string_view comment);
 
+/// The address that opens a trace in the sandbox, for a copy that is served at `site`. Empty, if there is no site, or if
+/// the trace is longer than addresses should be.
+std::string linkTo(const std::string& site, const Trace& trace);
+
 /// The first mismatch, if there is one; none if an edit is bad.
 std::optional<Mismatch> findMismatch(const Trace& trace, const CheckOptions& options);
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <iterator>
 
 namespace lgs::oracle {
 namespace {
@@ -66,15 +65,23 @@ bool isSameRing(const LocalPolygon& a, const LocalPolygon& b) {
   return a.size() == b.size() && std::search(twice.begin(), twice.end(), b.begin(), b.end()) != twice.end();
 }
 
-// What comes out as it was keeps its handle, unless others may have been united with it, or the brush took it over.
+bool shareVertex(const ScenePolygon& a, const ScenePolygon& b) {
+  return std::ranges::find_first_of(a.vertices, b.vertices) != a.vertices.end();
+}
+
+// What comes out as it was keeps its handle, unless the brush took it over, or others were united with it: what is united
+// around a hole is cut open, and that may leave a polygon as it was.
 bool hasOtherHandle(const ScenePolygon& now, const BrushEdit& brush, const Brushed& done) {
   if (brush.deed == BrushEdit::Deed::replace && now.block == brush.block) return false;
-  const auto isLike = [&](const auto& entry) {
-    return entry.second.cell == now.cell && entry.second.block == now.block;
-  };
-  const auto was = std::ranges::find_if(done.removed, isLike);
-  return was != done.removed.end() && std::find_if(std::next(was), done.removed.end(), isLike) == done.removed.end() &&
-         isSameRing(was->second.vertices, now.vertices);
+  const auto isLike = [&](const ScenePolygon& p) { return p.cell == now.cell && p.block == now.block; };
+  std::vector<ScenePolygon> was;
+  for (const auto& [name, polygon] : done.removed)
+    if (isLike(polygon)) was.push_back(polygon);
+  if (was.size() != 1 || !isSameRing(was[0].vertices, now.vertices)) return false;
+  return std::ranges::none_of(done.edits, [&](const Call& part) {
+    if (part.kind != Call::Kind::add || part.polygon() == now) return false;
+    return isLike(part.polygon()) && shareVertex(part.polygon(), now);
+  });
 }
 
 }  // namespace

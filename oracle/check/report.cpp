@@ -38,18 +38,6 @@ Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std
   return shrink(std::move(trace), stillFails, budget);
 }
 
-// While it lives, an engine is given up on sooner, if what is looked for again is a hang.
-class Hurry {
- public:
-  Hurry(Engine& engine, FaultKind kind) : engine_(engine) { engine_.hurry(kind == FaultKind::hang); }
-  ~Hurry() { engine_.hurry(false); }
-  Hurry(const Hurry&) = delete;
-  Hurry& operator=(const Hurry&) = delete;
-
- private:
-  Engine& engine_;
-};
-
 // Writes trace, picture and page, and says where they are and how to come by them again.
 void save(const Trace& trace, const Views& views, const ReportOptions& report, bool replays) {
   std::error_code ignored;  // writing will say what is wrong
@@ -60,6 +48,7 @@ void save(const Trace& trace, const Views& views, const ReportOptions& report, b
   const bool pageWritten = writeOrComplain(base + ".html", views.page);
   const bool written = writeOrComplain(base + ".svg", views.picture) && pageWritten && traceWritten;
   if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\npage       {0}.html\n", base);
+  if (const std::string link = linkTo(report.site, trace); !link.empty()) fmt::print("link       {}\n", link);
   fmt::print("again      {}\n", report.reproduce);
   if (written && replays) {
     const std::string cd = report.engine.empty() ? "" : fmt::format("cd {} && ", thisFolder());
@@ -85,12 +74,18 @@ Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine
     engine.restart();
     return findAgain(candidate);
   };
-  constexpr double kTimeouts = 4;  // a hang costs a few of them; whoever has more patience waits that much longer
-  if (found.kind == FaultKind::hang && kTimeouts * engine.timeout() < budget)
+  const bool isHang = found.kind == FaultKind::hang;
+  constexpr double kTimeouts = 3;  // a hang costs a few of them; whoever has more patience waits that much longer
+  if (isHang && kTimeouts * engine.timeout() < budget)
     budget = std::chrono::duration_cast<std::chrono::milliseconds>(kTimeouts * engine.timeout());
-  const Hurry hurry(engine, found.kind);
+  engine.hurry(isHang ? Engine::Haste::much : Engine::Haste::none);
   Trace small = shrunk(found, trace, findAgain, budget);
-  return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
+  engine.hurry(Engine::Haste::none);
+  if (findAfresh(small)) return small;
+  if (!isHang) return shrunk(found, trace, findAfresh, budget);
+  const auto hangs = [&](const Trace& candidate) { return stillAlive(), findAfresh(candidate).has_value(); };
+  Trace few = builtAtOnce(untilFound(trace, found));  // it is slow: of much that stands, little else can go
+  return hangs(few) ? shrink(std::move(few), hangs, budget) : untilFound(trace, found);
 }
 
 FindAgain sameKind(FaultKind kind, const CheckOptions& options) {

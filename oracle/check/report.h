@@ -20,6 +20,7 @@ struct ReportOptions {
   std::string lgs = "lgs";  ///< the lgs command, as a shell takes it
   std::string engine = {};  ///< the options that name the engine, with a blank before; empty for this library's
   bool views = false;       ///< views followed the world
+  std::string site = {};    ///< where a copy of the sandbox is served, if anywhere
 };
 
 /// Where a trace goes, without its ending: nothing that an earlier run found is replaced, but by the same.
@@ -35,7 +36,8 @@ using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
 FindAgain sameKind(Mismatch::Kind kind, const CheckOptions& options);
 
 /// Shrinks with an engine that lives on from trial to trial. What is left must fail in a new one; if it does not, the
-/// engine keeps something over a reset, and each trial gets a new one. A hang is shrunk for four time-outs at most.
+/// engine keeps something over a reset, and each trial gets a new one. A hang is shrunk in haste, for three time-outs at
+/// most; where what is left is only slow, what was undone again is left out alone.
 Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
                        std::chrono::milliseconds budget);
 

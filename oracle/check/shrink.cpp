@@ -78,17 +78,34 @@ Trace renamed(Trace trace) {
   return trace;
 }
 
+Trace builtAtOnce(Trace trace) {
+  trace = renamed(std::move(trace));
+  const auto isRemoval = [](const Call& c) {
+    return c.kind == Call::Kind::remove && c.goes[0].how == Named::How::name;
+  };
+  std::unordered_set<std::string> gone;
+  for (const Call& call : trace.calls)
+    if (isRemoval(call)) gone.insert(call.name());
+  std::erase_if(trace.calls, [&](const Call& call) {
+    return call.kind == Call::Kind::commit || (call.kind == Call::Kind::add && gone.contains(call.name()));
+  });
+  dropOrphans(trace);
+  return trace;
+}
+
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
-  // The place comes first: where each trial takes seconds, as for a hang, there is time for little else.
+  // What leaves out most, and the place, come first: where each trial takes seconds, as for a hang, there is time for
+  // little else.
   static const std::vector<Pass> kPasses{
-      &W::rename,          &W::moveColumns, &W::moveRows,       &W::dropCalls, &W::simplifyCalls, &W::simplifyPolygons,
-      &W::simplifyBrushes, &W::dropPairs,   &W::renumberBlocks, &W::oneBlock,  &W::rename,        &W::refuseNothing};
+      &W::buildAtOnce,   &W::rename,           &W::moveColumns,     &W::moveRows,  &W::dropCalls,
+      &W::simplifyCalls, &W::simplifyPolygons, &W::simplifyBrushes, &W::dropPairs, &W::renumberBlocks,
+      &W::oneBlock,      &W::rename,           &W::refuseNothing};
   return kPasses;
 }
 
 std::optional<Trace> ShrinkWalk::next() {
-  constexpr std::size_t kFirstOfRound = 1;
+  constexpr std::size_t kFirstOfRound = 2;
   const std::size_t endOfRound = passes().size() - 2;
   while (pass_ < passes().size()) {
     if (auto candidate = (this->*passes()[pass_])()) {
@@ -109,6 +126,11 @@ void ShrinkWalk::accept(Trace candidate) {
   variant_ = 0;
   isSmaller_ = true;
   best_ = std::move(candidate);
+}
+
+std::optional<Trace> ShrinkWalk::buildAtOnce() {
+  if (variant_++ != 0) return std::nullopt;
+  return builtAtOnce(best_);
 }
 
 std::optional<Trace> ShrinkWalk::rename() {

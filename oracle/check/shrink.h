@@ -13,6 +13,7 @@
 namespace lgs::oracle {
 
 /// A walk from a trace to ever smaller ones, for whoever decides at each step whether it still fails. In this order:
+///   all that stands at the end, built at once;
 ///   calls dropped in chunks, then one by one (a polygon takes its removal by name with it);
 ///   calls simpler: with fewer parts, or one of the parts of a group in its place; in plain notation;
 ///   polygons with fewer vertices, on rounder coordinates, or replaced by a full square or half of one;
@@ -38,6 +39,7 @@ class ShrinkWalk {
   // The next candidate of a pass; nothing at its end.
   using Pass = std::optional<Trace> (ShrinkWalk::*)();
   static const std::vector<Pass>& passes();
+  std::optional<Trace> buildAtOnce();
   std::optional<Trace> rename();
   std::optional<Trace> dropCalls();
   std::optional<Trace> simplifyCalls();
@@ -61,6 +63,9 @@ class ShrinkWalk {
 
 /// The same with names p1, p2, … in order of the adds; no two polygons share one.
 Trace renamed(Trace trace);
+
+/// Without commits but the last, and without what is added and removed again, both by name. Names become plain.
+Trace builtAtOnce(Trace trace);
 
 /// Whether a candidate still fails in the way that is of interest. It must answer false for a bad trace.
 using StillFails = std::function<bool(const Trace&)>;

@@ -57,7 +57,7 @@ void Survey::add(const Mismatch& found, const Trace& trace, const CheckStats& st
     const State state = shrink(kind, entry, found, trace);
     few += state == State::known && !isHang ? 0 : 1;  // however many are known, a new one does not hide behind them
   }
-  if (isHang && entry.count >= kHangs) options_.engine->hurry(true);
+  if (isHang && entry.count >= kHangs) options_.engine->hurry(Engine::Haste::some);
   write(stats);
 }
 
@@ -145,8 +145,11 @@ bool Survey::write(const CheckStats& stats) const {
         kind, entry.count, edits, file);
     const std::string text = printTrace(entry.findings.front().trace) + "\n" + entry.findings.front().text;
     mdTexts += fmt::format("\n## {}\n\n{}\n\n![{}]({}.svg)\n", kind, indented(readable(text)), kind, file);
+    const std::string link = linkTo(how_.site, entry.findings.front().trace);
+    if (!link.empty()) mdTexts += fmt::format("\n[in the sandbox]({})\n", link);
     htmlTexts += fmt::format("<h2 id=\"{0}\">{1}</h2>\n<pre>{2}</pre>\n<img src=\"{0}.svg\" alt=\"{1}\">\n", file, kind,
                              inElement(text));
+    if (!link.empty()) htmlTexts += fmt::format("<p><a href=\"{}\">in the sandbox</a>\n", inElement(link));
   }
   if (!kinds_.empty()) html += "</table>\n";
   const std::string base = (std::filesystem::path(how_.folder) / "report").string();

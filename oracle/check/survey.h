@@ -19,6 +19,7 @@ struct SurveyOptions {
   std::chrono::milliseconds shrinkFor{};  ///< each
   std::uint64_t shrunk = 3;               ///< so many of a kind that are not known are; later ones are only counted
   std::vector<KnownMismatch> known = {};  ///< what is known is no fault
+  std::string site = {};                  ///< where a copy of the sandbox is served, if anywhere
 };
 
 class Survey {

@@ -10,6 +10,7 @@
 #include "oracle/reference/scene.h"
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -74,8 +75,10 @@ class Engine {
   /// Begins anew: more than reset() does, which may forget to forget something.
   virtual void restart() {}
 
-  /// In a hurry the engine gets less time for an answer: a hang is looked for again and again.
-  virtual void hurry(bool /*isInHurry*/) {}
+  /// In haste the engine gets less time for an answer, as a hang is looked for again and again: some more than it has
+  /// needed so far; or a part of its time-out at most, and then one that is slow looks like one that hangs.
+  enum class Haste : std::uint8_t { none, some, much };
+  virtual void hurry(Haste /*haste*/) {}
 
   /// What an answer may take, if anybody looks at the clock.
   virtual std::chrono::duration<double> timeout() const { return std::chrono::duration<double>::max(); }

@@ -37,12 +37,14 @@ std::optional<Failure> ProcessEngine::ask(std::string_view text, const Child::Ta
   return failure;
 }
 
-// A hang is shrunk by trial, and each trial waits in vain. So then the engine gets little more time than it has needed.
+// A hang is shrunk by trial, and each trial waits in vain.
 Child::Clock::duration ProcessEngine::patience() const {
   using namespace std::chrono_literals;
-  constexpr int kTimes = 5;
+  constexpr int kTimes = 5, kParts = 8;
   const auto timeout = std::chrono::duration_cast<Clock::duration>(options_.timeout);
-  return isInHurry_ ? std::min<Clock::duration>(timeout, std::max<Clock::duration>(200ms, kTimes * slowest_)) : timeout;
+  if (haste_ == Haste::none) return timeout;
+  const auto enough = haste_ == Haste::some ? kTimes * slowest_ : std::min(timeout / kParts, kTimes * slowest_);
+  return std::min(timeout, std::max<Clock::duration>(200ms, enough));
 }
 
 void ProcessEngine::reset(const PreservePairs& preserve) {
@@ -93,6 +95,10 @@ Engine::Refusals ProcessEngine::commit() {
       unsent_, [&](std::string_view line) { return reader.take(line); }, patience());
   unsent_.clear();
   if (failure) {
+    constexpr int kSlow = 4;
+    if (failure->kind == Failure::Kind::hang && slowest_ * kSlow > patience())
+      failure->text += fmt::format(" (perhaps it is slow, and not stuck: it needed {:.1f} s before)",
+                                   std::chrono::duration<double>(slowest_).count());
     failure_ = failure;
     return tl::unexpected(std::move(*failure));
   }

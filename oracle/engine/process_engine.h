@@ -36,7 +36,7 @@ class ProcessEngine : public Engine {
   const Delta* delta() const override { return can().delta ? &delta_ : nullptr; }
   std::optional<std::chrono::nanoseconds> time() const override { return time_; }
   void restart() override { child_.reset(); }
-  void hurry(bool isInHurry) override { isInHurry_ = isInHurry; }
+  void hurry(Haste haste) override { haste_ = haste; }
   std::chrono::duration<double> timeout() const override { return options_.timeout; }
   std::optional<Failure> finish() override;
 
@@ -56,7 +56,7 @@ class ProcessEngine : public Engine {
   NamedIslands islands_;
   Delta delta_;
   std::optional<std::chrono::nanoseconds> time_;
-  bool isInHurry_ = false;
+  Haste haste_ = Haste::none;
   Clock::duration slowest_{};  // answer to a commit
 };
 

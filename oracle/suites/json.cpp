@@ -121,7 +121,7 @@ Read readJson(const std::string& file, std::string_view text, const std::vector<
     else if (at(root, "type").is_string())
       addGeoJson(file, root, operations, suite);
     else
-      throw Wrong{"it is neither GeoJSON nor of iOverlay: there is no 'type' and no 'subjPaths'"};
+      ++suite.leftOut["file of JSON that is neither GeoJSON nor two operands of iOverlay ('type', 'subjPaths')"];
   } catch (const Json::exception& wrong) {
     return tl::unexpected(fmt::format(" it is no JSON: {}", wrong.what()));
   } catch (const Wrong& wrong) {

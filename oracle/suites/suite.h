@@ -4,7 +4,8 @@
 //   iOverlay's JSON     subjPaths, clipPaths, fillRule, and the results of the operations
 //   GeoJSON             a collection of features: the operands; those with a property `operation`, and files union,
 //                       intersection, difference, xor and all .geojson beside an args.geojson, name the operations
-//   WKT, XML            <case>s of GEOS and JTS, in WKT or WKB as hexadecimal digits; or a text with WKT, in pairs
+//   WKT, XML            <case>s of GEOS and JTS, in WKT or WKB as hexadecimal digits; or a text with WKT, in pairs, be
+//                       it a program, as Boost's overlay_cases.hpp
 //
 // Where no operation is named all four are meant. The answers of a suite are not read: what is right is up to the
 // references. Files are not trusted. What is not read is counted, and never silently left out.

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <map>
 #include <pugixml.hpp>
+#include <tuple>
 #include <utility>
 
 namespace lgs::oracle {
@@ -22,6 +23,7 @@ namespace {
 
 namespace bg = boost::geometry;
 using Polygon = bg::model::polygon<bg::model::d2::point_xy<double>>;
+constexpr std::string_view kCollection = "GEOMETRYCOLLECTION";
 
 /// Why a geometry is not taken.
 struct NotTaken {
@@ -102,6 +104,7 @@ class Binary {
   bool isLittle_ = false;
 };
 
+bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 std::string tidied(std::string_view text) {
@@ -113,9 +116,9 @@ std::string tidied(std::string_view text) {
   return line;
 }
 
-// Where the next geometry begins and ends, however its word is written; at the end of the text, if there is none.
+// Where the next geometry begins and ends; at the end of the text, if there is none.
 std::pair<std::size_t, std::size_t> nextGeometry(std::string_view upper, std::size_t from) {
-  constexpr std::array<std::string_view, 4> kWords{"POLYGON", "LINESTRING", "POINT", "GEOMETRYCOLLECTION"};
+  constexpr std::array<std::string_view, 4> kWords{"POLYGON", "LINESTRING", "POINT", kCollection};
   constexpr std::string_view kMany = "MULTI";
   for (;;) {
     std::size_t begin = std::string_view::npos, end = begin;
@@ -126,7 +129,9 @@ std::pair<std::size_t, std::size_t> nextGeometry(std::string_view upper, std::si
     end = std::min(upper.find_first_not_of(" \t\r\nZM", end), upper.size());
     if (upper.substr(0, begin).ends_with(kMany)) begin -= kMany.size();
     if (upper.substr(end).starts_with("EMPTY")) return {begin, end + 5};
-    if (!upper.substr(end).starts_with('(')) continue;  // a word of a remark
+    const std::size_t inside = std::min(upper.find_first_not_of("( \t\r\n", end), upper.size() - 1);
+    const bool isRemark = isLetter(upper[inside]) && !upper.substr(begin).starts_with(kCollection);
+    if (!upper.substr(end).starts_with('(') || isRemark) continue;
     int open = 0;
     do open += upper[end] == '(' ? 1 : upper[end] == ')' ? -1 : 0;
     while (++end < upper.size() && open > 0);
@@ -134,22 +139,39 @@ std::pair<std::size_t, std::size_t> nextGeometry(std::string_view upper, std::si
   }
 }
 
+// The parts of a collection, which must all be polygons.
+tl::expected<Operand, std::string> collected(std::string_view collection) {
+  Operand all;
+  std::size_t begin = 0, end = kCollection.size();
+  while (std::tie(begin, end) = nextGeometry(collection, end), begin < collection.size()) {
+    const std::string_view one = collection.substr(begin, end - begin);
+    if (one.starts_with(kCollection)) throw NotTaken{"operand that is a collection of collections"};
+    auto part = geometryOf(one);
+    if (!part) return part;
+    all.insert(all.end(), part->begin(), part->end());
+  }
+  return all;
+}
+
 }  // namespace
 
 tl::expected<Operand, std::string> geometryOf(std::string_view text) {
-  const std::string line = tidied(text);
+  std::string line = tidied(text);
+  for (const auto& [empty, instead] : {std::pair{", EMPTY", ""}, {",EMPTY", ""}, {"(EMPTY, ", "("}, {"(EMPTY,", "("}})
+    for (std::size_t at = 0; (at = line.find(empty)) != std::string::npos;)
+      line.replace(at, std::string_view(empty).size(), instead);
   try {
     if (!line.empty() && line.find_first_not_of("0123456789ABCDEF") == std::string::npos)
       return Binary(line).geometry();
+    const std::string word = line.substr(0, line.find_first_of(" (0123456789"));
+    if (word == kCollection) return collected(line);
     bg::model::multi_polygon<Polygon> polygons;
-    if (line.starts_with("MULTIPOLYGON")) {
+    if (word == "MULTIPOLYGON")
       bg::read_wkt(line, polygons);
-    } else if (line.starts_with("POLYGON")) {
+    else if (word == "POLYGON")
       bg::read_wkt(line, polygons.emplace_back());
-    } else {
-      return tl::unexpected(
-          fmt::format("operand that is a {}, and no polygon", line.substr(0, line.find_first_of(" (0123456789"))));
-    }
+    else
+      return tl::unexpected(fmt::format("operand that is a {}, and no polygon", word));
     return partsOf(polygons);
   } catch (const bg::read_wkt_exception& wrong) {
     return tl::unexpected("operand that is no WKT: " + std::string(wrong.what()).substr(0, 80));
@@ -158,14 +180,26 @@ tl::expected<Operand, std::string> geometryOf(std::string_view text) {
   }
 }
 
+// A text may be a program: its strings may go on in the next line, and a semicolon ends a list of them.
 Read readWkt(const std::string& file, std::string_view text, Suite& suite) {
   std::string upper(text);
-  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (char& c : upper)
+    c = c == '"' || c == '\\' ? ' ' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   std::vector<Operand> pair;
   std::size_t line = 1, first = 0, geometries = 0;
+  const auto endPair = [&] {
+    if (pair.size() == 2)
+      suite.add(fmt::format("{}:{}", file, line), kAllOperations, pair);
+    else if (geometries != 0)
+      ++suite.leftOut["pair of geometries that are not both polygons, or geometry that is alone"];
+    pair.clear();
+    geometries = 0;
+  };
   for (std::size_t at = 0; at < upper.size();) {
     const auto [begin, end] = nextGeometry(upper, at);
     if (begin == upper.size()) break;
+    const std::string_view between = std::string_view(upper).substr(at, begin - at);
+    if (between.find(';') < between.find('=')) endPair();  // SRID=…; is of a geometry
     line += static_cast<std::size_t>(std::ranges::count(text.substr(first, begin - first), '\n'));
     first = begin;
     if (end == std::string_view::npos) return tl::unexpected(fmt::format("{}: a ( is never closed", line));
@@ -176,14 +210,9 @@ Read readWkt(const std::string& file, std::string_view text, Suite& suite) {
       if (!geometry) return tl::unexpected(fmt::format("{}: {}", line, geometry.error()));
       pair.push_back(std::move(*geometry));
     }
-    if (++geometries % 2 != 0) continue;
-    if (pair.size() == 2)
-      suite.add(fmt::format("{}:{}", file, line), kAllOperations, std::move(pair));
-    else
-      ++suite.leftOut["pair of geometries that are not both polygons"];
-    pair.clear();
+    if (++geometries == 2) endPair();
   }
-  if (geometries % 2 != 0) ++suite.leftOut["last geometry of a text, which is no pair"];
+  endPair();
   return {};
 }
 

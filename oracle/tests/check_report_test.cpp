@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <functional>
-#include <thread>
 
 namespace lgs::oracle::reporting {
 namespace {
@@ -42,10 +41,8 @@ class Wrong : public ReferenceEngine {
     return outline;
   }
   void restart() override { ++restarts; }
-  void hurry(bool isInHurry) override { hurries.push_back(isInHurry); }
 
   int restarts = 0;
-  std::vector<bool> hurries;
 
  private:
   std::function<void(Outline&)> change_;
@@ -92,6 +89,20 @@ TEST_F(CheckReport, HasTheSmallestTraceAndWhereItIs) {
   expectSaid(page, "\"expectedName\":\"naive reference\"");
 }
 
+// As decodeURIComponent() reads it.
+TEST_F(CheckReport, HasALinkWhereTheSandboxIsServed) {
+  Wrong engine([](Outline& o) { o.pop_back(); });
+  ReportOptions report = to(60s);
+  report.site = "http://host/a/";
+  expectSaid(reported(fourSquares(), {.engine = &engine}, report),
+             "\nlink       http://host/a/#plain=lgs-trace%201%0Aadd%20p1%200%200%201%20%200%200%20");
+  expectSaid(reported(fourSquares(), {.engine = &engine}, to(60s)), "\nlink ", false);
+  Trace many;
+  for (int k = 0; k < 200; ++k) many.calls.push_back(square(std::to_string(k), {k, 0}));
+  EXPECT_EQ(linkTo(report.site, many), "") << "it is too long";
+  EXPECT_EQ(linkTo(report.site, {}), "");
+}
+
 TEST_F(CheckReport, ReplacesNothingOfAnEarlierRun) {
   Wrong engine([](Outline& o) { o.pop_back(); });
   Trace other = fourSquares();
@@ -109,32 +120,6 @@ TEST_F(CheckReport, WithoutTimeHasTheTraceUpToTheMismatch) {
   const std::string text = reported(trace, {.engine = &engine}, to(0ms));
   expectSaid(text, "shrinking", false);
   EXPECT_EQ(saved(), (Trace{{}, {trace.calls.begin(), trace.calls.begin() + 4}}));
-}
-
-// It never answers, which is waited for each time.
-class Hanging : public ReferenceEngine {
- public:
-  Hanging() : ReferenceEngine(true, false) {}
-  Refusals commit() override {
-    ++commits;
-    std::this_thread::sleep_for(5ms);
-    return tl::unexpected(Failure{Failure::Kind::hang, "hangs"});
-  }
-  std::chrono::duration<double> timeout() const override { return 10ms; }
-
-  int commits = 0;
-};
-
-TEST_F(CheckReport, AHangIsShrunkForFourTimeouts) {
-  Hanging engine;
-  Trace trace;
-  for (std::int32_t i = 0; i < 30; ++i)
-    trace.calls.push_back(Call::add("s" + std::to_string(i), {{7 * i, 5}, 3, {{0, 0}, {9'999, 7}, {65'535, 65'535}}}));
-  trace.calls.push_back(Call::commit());
-  const CheckOptions options{.engine = &engine};
-  const Mismatch found = must(findMismatch(trace, options));
-  shrinkWithEngine(found, trace, engine, sameKind(found.kind, options), 60s);
-  EXPECT_LE(engine.commits, 2 + 4 * 2 + 4) << "found, shrunk, and looked at again";
 }
 
 TEST_F(CheckReport, SaysThatItWasNotThereAgain) {
@@ -216,20 +201,6 @@ TEST_F(CheckReport, OfACrashThatIsNotThereAgain) {
   EXPECT_EQ(saved(), fourSquares());
 }
 
-TEST_F(CheckReport, HurriesAnEngineThatHangsWhileItIsLookedForAgain) {
-  for (const auto& [kind, hurries] : {std::pair{Mismatch::Kind::hang, true}, {Mismatch::Kind::crash, false}}) {
-    Wrong engine([](Outline&) {});
-    const Trace trace = fourSquares();
-    Mismatch found;
-    found.kind = kind;
-    found.edits = 4;
-    EXPECT_EQ(shrinkWithEngine(
-                  found, trace, engine, [](const Trace&) { return std::nullopt; }, 1s),
-              untilFound(trace, found));
-    EXPECT_EQ(engine.hurries, (std::vector<bool>{hurries, false}));
-  }
-}
-
 TEST_F(CheckReport, IsNoSmallerThanWhatABegunEngineShows) {
   Wrong engine([](Outline&) {});
   const Trace trace = fourSquares();
@@ -247,7 +218,9 @@ class CheckSurvey : public CheckReport {
     CheckReport::SetUp();
     std::filesystem::create_directories(path("report"));
   }
-  Survey survey(Engine* engine) const { return Survey({.engine = engine}, {path("report"), "lgs check --all", 60s}); }
+  Survey survey(Engine* engine) const {
+    return Survey({.engine = engine}, {path("report"), "lgs check --all", 60s, 3, {}, "../site/"});
+  }
   static void add(Survey& survey, Engine& engine, const Trace& trace) {
     survey.add(must(findMismatch(trace, {.engine = &engine})), trace, {.edits = 12, .commits = 1});
   }
@@ -264,6 +237,8 @@ TEST_F(CheckSurvey, KeepsTheSmallestTraceOfEachKind) {
              "[wrong-block.html](wrong-block.html) |\n");
   expectSaid(md, "\n## wrong block\n\n    lgs-trace 1\n    add p1 ");
   expectSaid(md, "\n    after edit 2 (1 commit): the outline differs from the naive reference's:\n    wrong block: ");
+  expectSaid(md, "\n[in the sandbox](../site/#plain=lgs-trace%201%0Aadd%20p1%20");
+  expectSaid(get("report/report.html"), "<p><a href=\"../site/#plain=lgs-trace%201%0Aadd%20p1%20");
   expectSaid(get("report/report.html"),
              "<tr><td><a href=\"#wrong-block\">wrong block</a><td>1<td><a "
              "href=\"wrong-block.trace\">2 edits</a>");

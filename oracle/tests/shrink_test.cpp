@@ -40,8 +40,17 @@ bool has(const std::vector<Trace>& candidates, const Trace& trace) {
 TEST(ShrinkWalk, BeginsWithPlainNames) {
   const Trace trace{{}, {square("a", {0, 0}), Call::commit(), Call::remove("a")}};
   ShrinkWalk walk(trace);
+  EXPECT_EQ(walk.next(), Trace()) << "what stands at the end";
   EXPECT_EQ(walk.next(), (Trace{{}, {square("p1", {0, 0}), Call::commit(), Call::remove("p1")}}));
   EXPECT_EQ(walk.best(), trace);
+}
+
+TEST(ShrinkWalk, BuildsAtOnceWhatStandsAtTheEnd) {
+  const Call mark = Call::of(Call::Kind::mark);
+  const Trace trace{{},
+                    {square("a", {0, 0}), Call::commit(), square("b", {1, 0}), Call::remove("a"), mark,
+                     square("a", {2, 0}), Call::commit(), Call::remove("other")}};
+  EXPECT_EQ(ShrinkWalk(trace).next(), (Trace{{}, {square("p2", {1, 0}), mark, square("p3", {2, 0})}}));
 }
 
 TEST(ShrinkWalk, DropsHalfOfTheEditsAndThenTheOtherHalf) {
@@ -130,7 +139,7 @@ TEST(ShrinkWalk, MovesLinesOfCellsTogetherAndToTheOrigin) {
 
 TEST(ShrinkWalk, EndsWhereNothingIsAccepted) {
   EXPECT_EQ(candidatesOf({}).size(), 0U);
-  EXPECT_EQ(candidatesOf({{}, {Call::commit()}}), std::vector<Trace>{Trace()});
+  EXPECT_EQ(candidatesOf({{}, {Call::commit()}}), std::vector<Trace>(2));
 }
 
 // --- Polygons and regions ----------------------------------------------------------------------------------------

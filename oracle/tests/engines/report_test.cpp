@@ -183,9 +183,9 @@ class Hanging : public oracle::Engine {
   void remove(const std::string&) override {}
   Refusals commit() override { return tl::unexpected(oracle::Failure{oracle::Failure::Kind::hang, "hangs"}); }
   oracle::Outline outline() const override { return {}; }
-  void hurry(bool isInHurry) override { isInHurry_ = isInHurry; }
+  void hurry(Haste haste) override { haste_ = haste; }
 
-  bool isInHurry_ = false;
+  Haste haste_ = Haste::none;
 };
 
 // The report is there from the first finding on, whatever becomes of the run. The fourth hang is not waited for.
@@ -199,7 +199,7 @@ TEST_F(Reports, AreWrittenAsTheRunGoes) {
   for (const int count : {1, 2, 3, 4}) {
     survey.add(found, trace, {});
     EXPECT_NE(page("report.md").find("| hang | " + std::to_string(count) + " |"), std::string::npos);
-    EXPECT_EQ(engine.isInHurry_, count >= 3);
+    EXPECT_EQ(engine.haste_, count >= 3 ? oracle::Engine::Haste::some : oracle::Engine::Haste::none);
   }
 }
 
