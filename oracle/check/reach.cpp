@@ -65,22 +65,11 @@ bool isSameRing(const LocalPolygon& a, const LocalPolygon& b) {
   return a.size() == b.size() && std::search(twice.begin(), twice.end(), b.begin(), b.end()) != twice.end();
 }
 
-bool shareVertex(const ScenePolygon& a, const ScenePolygon& b) {
-  return std::ranges::find_first_of(a.vertices, b.vertices) != a.vertices.end();
-}
-
-// What comes out as it was keeps its handle, unless the brush took it over, or others were united with it: what is united
-// around a hole is cut open, and that may leave a polygon as it was.
-bool hasOtherHandle(const ScenePolygon& now, const BrushEdit& brush, const Brushed& done) {
-  if (brush.deed == BrushEdit::Deed::replace && now.block == brush.block) return false;
-  const auto isLike = [&](const ScenePolygon& p) { return p.cell == now.cell && p.block == now.block; };
-  std::vector<ScenePolygon> was;
-  for (const auto& [name, polygon] : done.removed)
-    if (isLike(polygon)) was.push_back(polygon);
-  if (was.size() != 1 || !isSameRing(was[0].vertices, now.vertices)) return false;
-  return std::ranges::none_of(done.edits, [&](const Call& part) {
-    if (part.kind != Call::Kind::add || part.polygon() == now) return false;
-    return isLike(part.polygon()) && shareVertex(part.polygon(), now);
+// What comes out as it was keeps its handle.
+bool hasOtherHandle(const ScenePolygon& now, const Brushed& done) {
+  return std::ranges::any_of(done.removed, [&](const auto& entry) {
+    const ScenePolygon& was = entry.second;
+    return was.cell == now.cell && was.block == now.block && isSameRing(was.vertices, now.vertices);
   });
 }
 
@@ -97,7 +86,7 @@ bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
 
 std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
   for (const Call& part : done.edits)
-    if (part.kind == Call::Kind::add && hasOtherHandle(part.polygon(), brush, done))
+    if (part.kind == Call::Kind::add && hasOtherHandle(part.polygon(), done))
       return fmt::format("a polygon of cell ({}, {}) is as it was, but for its handle", part.comes[0].cell.i,
                          part.comes[0].cell.j);
   for (const Call& part : done.edits) {

@@ -70,6 +70,32 @@ List<bool> meetingOf(const List<CellPolygon>& polygons, PieceSpan region, FillRu
   return meeting;
 }
 
+namespace {
+
+/// Whether rings have the same vertices in the same order.
+bool isSameRing(const Points& a, const Points& b) {
+  const auto first = std::ranges::find(b, a[0]);
+  return a.size() == b.size() && first != b.end() && std::equal(first, b.end(), a.begin()) &&
+         std::equal(b.begin(), first, a.begin() + (b.end() - first));
+}
+
+/// Polygons that come out as they were stay: chords of holes and what is cut off may part a union where it was parted.
+CellEdit withoutSame(CellEdit edit, const List<CellPolygon>& old) {
+  std::erase_if(edit.placed, [&](const NewPart& part) {
+    const auto same = std::ranges::find_if(
+        edit.gone, [&](std::size_t k) { return old[k].block == part.block && isSameRing(part.ring, old[k].ring); });
+    if (same == edit.gone.end()) return false;
+    std::erase(edit.rounded, *same);
+    edit.gone.erase(same);
+    return true;
+  });
+  for (NewPart& part : edit.placed)
+    std::erase_if(part.from, [&](std::size_t k) { return std::ranges::find(edit.gone, k) == edit.gone.end(); });
+  return edit;
+}
+
+}  // namespace
+
 CellEdit editOf(std::span<const PlacedPolygon> polygons, PieceSpan region, const Stroke& stroke) {
   if (auto edit = plainEdit(polygons, region, stroke)) return std::move(*edit);
   List<CellPolygon> old;
@@ -81,8 +107,8 @@ CellEdit editOf(std::span<const PlacedPolygon> polygons, PieceSpan region, const
   }
   const List<bool> meeting = meetingOf(old, region, stroke.rule);
   Ground ground = groundOf(old, meeting);
-  if (auto edit = clippedEdit(ground, region, stroke)) return std::move(*edit);
-  return arranged(ground, meeting, region, stroke);
+  auto edit = clippedEdit(ground, region, stroke);
+  return withoutSame(edit ? std::move(*edit) : arranged(ground, meeting, region, stroke), old);
 }
 
 CellEdit arrangedEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {

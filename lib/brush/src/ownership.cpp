@@ -27,13 +27,6 @@ bool isSameOutline(List<HalfEdge> now, const List<HalfEdge>& before) {
   return now == parts;
 }
 
-/// Whether rings have the same vertices in the same order.
-bool isSameRing(const Points& a, const Points& b) {
-  const auto first = std::ranges::find(b, a[0]);
-  return a.size() == b.size() && first != b.end() && std::equal(first, b.end(), a.begin()) &&
-         std::equal(b.begin(), first, a.begin() + (b.end() - first));
-}
-
 std::size_t cornersOf(const List<HalfEdge>& outline) {
   std::size_t count = 0;
   for (const Points& ring : ringsOf(outline)) count += ring.size();
@@ -81,7 +74,6 @@ class Division {
         edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }
     }
-    keepSame(edit);
     detail::sort(edit.gone);
     return edit;
   }
@@ -101,21 +93,6 @@ class Division {
         return paint_;
     }
     return nobody_;
-  }
-
-  /// Polygons that come out as they were stay: the chords of a hole may part what was united just where it was parted
-  /// before.
-  void keepSame(CellEdit& edit) const {
-    std::erase_if(edit.placed, [&](const NewPart& part) {
-      const auto same = std::ranges::find_if(edit.gone, [&](std::size_t k) {
-        return ground_.polygons[k].block == part.block && isSameRing(part.ring, ground_.polygons[k].ring);
-      });
-      if (same == edit.gone.end()) return false;
-      edit.gone.erase(same);
-      return true;
-    });
-    for (NewPart& part : edit.placed)
-      std::erase_if(part.from, [&](std::size_t k) { return std::ranges::find(edit.gone, k) == edit.gone.end(); });
   }
 
   Block blockOf(Owner owner) const { return owner == paint_ ? stroke_.block : ground_.polygons[owner].block; }
