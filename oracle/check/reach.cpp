@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -66,12 +67,19 @@ bool isSameRing(const LocalPolygon& a, const LocalPolygon& b) {
   return a.size() == b.size() && std::search(twice.begin(), twice.end(), b.begin(), b.end()) != twice.end();
 }
 
-// What comes out as it was keeps its handle, unless others may have been united with it, or the brush took it over.
+// What comes out as it was keeps its handle, unless others may have been united with it, or the brush took it over. Of
+// an area that a brush made larger a part may be what was there before: that is another polygon.
 bool hasOtherHandle(const ScenePolygon& now, const BrushEdit& brush, const Brushed& done) {
   if (brush.deed == BrushEdit::Deed::replace && now.block == brush.block) return false;
   const auto isLike = [&](const auto& entry) {
     return entry.second.cell == now.cell && entry.second.block == now.block;
   };
+  const auto isPlacedToo = [&](const Call& part) {
+    return part.kind == Call::Kind::add && isLike(std::pair(0, part.polygon()));
+  };
+  if (brush.deed == BrushEdit::Deed::fill && now.block == brush.block &&
+      std::ranges::count_if(done.edits, isPlacedToo) > 1)
+    return false;
   const auto was = std::ranges::find_if(done.removed, isLike);
   return was != done.removed.end() && std::find_if(std::next(was), done.removed.end(), isLike) == done.removed.end() &&
          isSameRing(was->second.vertices, now.vertices);
