@@ -6,6 +6,22 @@
 #include <algorithm>
 
 namespace lgs::oracle {
+namespace {
+
+Call squareAt(Cell cell) {
+  Call call = Call::of(Call::Kind::addShape);
+  call.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
+  return call;
+}
+
+// The chunks that a case can reach, and more.
+CellRect chunksAround(Cell cell) {
+  const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+  return {{inside((cell.i & ~31) - 64), inside((cell.j & ~31) - 64)},
+          {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
+}
+
+}  // namespace
 
 Call Editor::anyEdit(Cell cell) {
   Habits habits{.width = 3, .height = 3, .hostilePercent = habits_.hostilePercent};
@@ -58,6 +74,7 @@ void Editor::travel(Cell cell) {
     case 4:
       return random_.chance(30) ? time(follow, random_.below(2U)) : time(copy);
     case 5:
+      if (random_.chance(60)) allComesBack(cell);
       return time(load);
     case 6:
     case 7: {  // a group
@@ -79,7 +96,7 @@ void Editor::travel(Cell cell) {
       for (int k = 2 + random_.below(2); k > 0; --k) {
         time(mark);
         someEdits(2);
-        time(commit);
+        if (random_.chance(70)) time(commit);
       }
       time(goBack, nth, true);
       if (random_.chance(40)) {  // what is ahead stays, or goes
@@ -87,11 +104,25 @@ void Editor::travel(Cell cell) {
         time(goBack, random_.below(8U), goesOn);
       }
       if (random_.chance(30)) someEdits(1);
-      if (habits_.memory > 0 && random_.chance(40)) turn(random_.chance(50) ? unload : reload, cell);
+      for (int k = habits_.memory > 0 ? random_.below(3) : 0; k > 0; --k) {
+        const int which = random_.below(3);
+        turn(which == 0 ? reload : unload, cell);
+        if (which == 2) turn(reloadEmpty, cell);
+      }
       if (random_.chance(30)) time(commit);
       time(goForward, random_.below(2U));
+      if (habits_.memory > 0 && random_.chance(40)) turn(reloadEmpty, cell);
+      if (random_.chance(40)) make(squareAt(cell));
       return random_.chance(50) ? time(commit) : void();
   }
+}
+
+// Of a world with unloaded chunks none is saved.
+void Editor::allComesBack(Cell cell) {
+  if (model_.isWhole()) return;
+  Call call = Call::of(Call::Kind::reload);
+  call.cells = chunksAround(cell);
+  make(std::move(call));
 }
 
 // Chunks come or go, around a cell.
@@ -110,16 +141,6 @@ void Editor::turn(Call::Kind kind, Cell cell) {
   call.nth = random_.below(2U);
   make(tidied(std::move(call)));
 }
-
-namespace {
-
-Call squareAt(Cell cell) {
-  Call call = Call::of(Call::Kind::addShape);
-  call.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
-  return call;
-}
-
-}  // namespace
 
 void Editor::remember(Cell cell) {
   using enum Call::Kind;
@@ -174,15 +195,16 @@ void Editor::remember(Cell cell) {
       if (random_.chance(50)) make(std::move(gone));
       commits();
       turn(leave, cell);
-      if (random_.chance(40)) make(Call::of(load));
+      if (random_.chance(40)) {
+        allComesBack(cell);
+        make(Call::of(load));
+      }
       return random_.chance(60) ? make(squareAt(cell)) : void();
     }
     case 7: {  // all of it sleeps, and some of it wakes
       forgetMarks();
       Call all = Call::of(unload);
-      const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
-      all.cells = {{inside((cell.i & ~31) - 64), inside((cell.j & ~31) - 64)},
-                   {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
+      all.cells = chunksAround(cell);
       make(all);
       make(Call::commit());
       if (random_.chance(80)) turn(reload, cell);
