@@ -67,6 +67,33 @@ bool isSameRing(const LocalPolygon& a, const LocalPolygon& b) {
   return a.size() == b.size() && std::search(twice.begin(), twice.end(), b.begin(), b.end()) != twice.end();
 }
 
+Ring outlineOf(const ScenePolygon& polygon) {
+  Ring outline;
+  for (const LocalPoint v : polygon.vertices) outline.push_back(toWorld(polygon.cell, v));
+  return outline;
+}
+
+// Whether two polygons have no point in common.
+bool areApart(const ScenePolygon& a, const ScenePolygon& b) {
+  const Ring one = outlineOf(a), other = outlineOf(b);
+  return !meet(one, other) && windingAround(one[0], {other}) == 0 && windingAround(other[0], {one}) == 0;
+}
+
+// Whether polygons beside each other have a part of an edge in common.
+bool shareEdge(const LocalPolygon& a, const LocalPolygon& b) {
+  const auto point = [](LocalPoint v) { return Point{v.x, v.y}; };
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Point p = point(a[k]), q = point(a[(k + 1) % a.size()]);
+    const Vector d = q - p;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      const Point r = point(b[i]), s = point(b[(i + 1) % b.size()]);
+      if (cross(d, r - p) == 0 && cross(d, s - p) == 0 && dot(d, s - r) < 0 && dot(d, r - p) > 0 && dot(d, q - s) > 0)
+        return true;
+    }
+  }
+  return false;
+}
+
 // What comes out as it was keeps its handle, unless others may have been united with it, or the brush took it over. Of
 // an area that a brush made larger a part may be what was there before: that is another polygon.
 bool hasOtherHandle(const ScenePolygon& now, const BrushEdit& brush, const Brushed& done) {
@@ -80,16 +107,19 @@ bool hasOtherHandle(const ScenePolygon& now, const BrushEdit& brush, const Brush
   if (brush.deed == BrushEdit::Deed::fill && now.block == brush.block &&
       std::ranges::count_if(done.edits, isPlacedToo) > 1)
     return false;
-  const auto was = std::ranges::find_if(done.removed, isLike);
-  return was != done.removed.end() && std::find_if(std::next(was), done.removed.end(), isLike) == done.removed.end() &&
-         isSameRing(was->second.vertices, now.vertices);
+  const auto isAsBefore = [&](const auto& entry) {
+    return isLike(entry) && isSameRing(entry.second.vertices, now.vertices);
+  };
+  const auto isUnitedWith = [&](const auto& entry) {
+    return isLike(entry) && shareEdge(entry.second.vertices, now.vertices);
+  };
+  return std::ranges::any_of(done.removed, isAsBefore) && std::ranges::none_of(done.removed, isUnitedWith);
 }
 
 }  // namespace
 
 bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
-  Ring outline;
-  for (const LocalPoint v : polygon.vertices) outline.push_back(toWorld(polygon.cell, v));
+  const Ring outline = outlineOf(polygon);
   for (const Ring& ring : brush.rings)
     if (!ring.empty() && (meet(ring, outline) || windingAround(ring[0], {outline}) != 0)) return true;
   const int winding = windingAround(outline[0], brush.rings);
@@ -105,6 +135,14 @@ std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
     if (part.kind != Call::Kind::remove || std::ranges::find(done.rounded, part.name()) != done.rounded.end()) continue;
     if (!mayMeet(brush, done.removed.at(part.name())))
       return fmt::format("'{}' has changed, but is not reached", part.name());
+  }
+  for (const auto& [old, now] : done.became) {
+    const auto isNow = [&, &name = now](const Call& part) {
+      return part.kind == Call::Kind::add && part.name() == name;
+    };
+    const auto part = std::ranges::find_if(done.edits, isNow);
+    if (part != done.edits.end() && areApart(done.removed.at(old), part->polygon()))
+      return fmt::format("'{}' is said to be in what has nothing of it", old);
   }
   for (const std::string& name : done.rounded) {
     const ScenePolygon& polygon = done.removed.at(name);

@@ -160,7 +160,7 @@ void Editor::remember(Cell cell) {
     back.nth = static_cast<std::uint32_t>(model_.marks()) - 1;
     make(std::move(back));
   };
-  switch (random_.below(12)) {
+  switch (random_.below(13)) {
     case 0:
     case 1:
       return turn(unload, cell);
@@ -231,6 +231,27 @@ void Editor::remember(Cell cell) {
       turn(unload, cell);
       commits();
       return turn(reload, cell);
+    }
+    case 11: {  // ground around a chunk that leaves
+      const CellRect chunk = Model::cellsOfChunk(Model::chunkOf(cell));
+      const auto [left, floor] = Cell{chunk.min.i - 1, chunk.min.j - 1};
+      const auto [right, top] = Cell{chunk.max.i + 1, chunk.max.j + 1};
+      if (!random_.chance(30) || !inRange(Cell{left, floor}) || !inRange(Cell{right, top})) return turn(unload, cell);
+      for (const CellRect& side :
+           {CellRect{{left, floor}, {right, floor}}, CellRect{{left, top}, {right, top}},
+            CellRect{{left, floor + 1}, {left, top - 1}}, CellRect{{right, floor + 1}, {right, top - 1}}}) {
+        Call gone = Call::of(clear), come = squareAt(side.min);
+        gone.cells = come.cells = side;
+        come.kind = fill;
+        make(std::move(gone));
+        make(tidied(std::move(come)));
+      }
+      if (random_.chance(60)) make(squareAt({left + 1, random_.between(floor + 1, top - 1)}));
+      make(Call::commit());
+      Call leaves = Call::of(unload);
+      leaves.cells = chunk;
+      make(std::move(leaves));
+      return commits();
     }
     default:                     // leaves a place, and what was unloaded there
       if (random_.chance(40)) {  // of which the bytes do not say what was undone since
