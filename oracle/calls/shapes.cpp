@@ -54,6 +54,9 @@ std::vector<NamedShape> makePalette() {
       {"cup with island", {cup, e({{3, 4}, {5, 4}, {5, 6}, {3, 6}})}},
       {"ring",
        {e({{0, 0}, {8, 0}, {8, 2}, {2, 2}, {2, 8}, {0, 8}}), e({{8, 2}, {8, 8}, {2, 8}, {2, 6}, {6, 6}, {6, 2}})}},
+      // two that share an edge and touch once more, with a vertex on an edge: so their outline touches itself
+      {"gap with a corner",
+       {e({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), e({{4, 0}, {8, 0}, {8, 8}, {2, 8}, {2, 4}, {3, 6}, {4, 4}})}},
       // many at one point
       {"four around the middle",
        {e({{0, 0}, {8, 0}, {4, 4}}), e({{8, 0}, {8, 8}, {4, 4}}), e({{8, 8}, {0, 8}, {4, 4}}),

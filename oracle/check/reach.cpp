@@ -65,6 +65,18 @@ bool isSameRing(const LocalPolygon& a, const LocalPolygon& b) {
   return a.size() == b.size() && std::search(twice.begin(), twice.end(), b.begin(), b.end()) != twice.end();
 }
 
+Ring outlineOf(const ScenePolygon& polygon) {
+  Ring outline;
+  for (const LocalPoint v : polygon.vertices) outline.push_back(toWorld(polygon.cell, v));
+  return outline;
+}
+
+// Whether two polygons have no point in common.
+bool areApart(const ScenePolygon& a, const ScenePolygon& b) {
+  const Ring one = outlineOf(a), other = outlineOf(b);
+  return !meet(one, other) && windingAround(one[0], {other}) == 0 && windingAround(other[0], {one}) == 0;
+}
+
 // What comes out as it was keeps its handle.
 bool hasOtherHandle(const ScenePolygon& now, const Brushed& done) {
   return std::ranges::any_of(done.removed, [&](const auto& entry) {
@@ -76,8 +88,7 @@ bool hasOtherHandle(const ScenePolygon& now, const Brushed& done) {
 }  // namespace
 
 bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
-  Ring outline;
-  for (const LocalPoint v : polygon.vertices) outline.push_back(toWorld(polygon.cell, v));
+  const Ring outline = outlineOf(polygon);
   for (const Ring& ring : brush.rings)
     if (!ring.empty() && (meet(ring, outline) || windingAround(ring[0], {outline}) != 0)) return true;
   const int winding = windingAround(outline[0], brush.rings);
@@ -93,6 +104,14 @@ std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
     if (part.kind != Call::Kind::remove || std::ranges::find(done.rounded, part.name()) != done.rounded.end()) continue;
     if (!mayMeet(brush, done.removed.at(part.name())))
       return fmt::format("'{}' has changed, but is not reached", part.name());
+  }
+  for (const auto& [old, now] : done.became) {
+    const auto isNow = [&, &name = now](const Call& part) {
+      return part.kind == Call::Kind::add && part.name() == name;
+    };
+    const auto part = std::ranges::find_if(done.edits, isNow);
+    if (part != done.edits.end() && areApart(done.removed.at(old), part->polygon()))
+      return fmt::format("'{}' is said to be in what has nothing of it", old);
   }
   for (const std::string& name : done.rounded) {
     const ScenePolygon& polygon = done.removed.at(name);

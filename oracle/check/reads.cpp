@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <tuple>
 
 namespace lgs::oracle {
 namespace {
@@ -51,6 +52,42 @@ std::optional<WrongRead> readRect(const World& world, std::span<const Segment> s
   for (const SegmentId id : differing)
     if (const auto s = world.segment(id)) wrong.about.push_back(outlineSegment(*s));
   return wrong;
+}
+
+// Many at once, as they are and in cells from an origin, in both kinds of reals: as one by one.
+template <class Real>
+bool isRead(const RealPoint<Real>& actual, Point p, Point origin) {
+  const auto part = [](std::int64_t units) { return static_cast<Real>(static_cast<double>(units) / kUnitsPerCell); };
+  return actual.x == part(p.x - origin.x) && actual.y == part(p.y - origin.y);
+}
+
+template <class Real>
+bool areRead(const World& world, const std::vector<SegmentId>& ids, const std::vector<Segment>& expected) {
+  const Point origin = expected.empty() ? Point{} : expected.back().end;
+  std::vector<RealSegment<Real>> many(ids.size());
+  return world.segments(ids, origin, many) && std::ranges::equal(many, expected, [&](const auto& a, const Segment& s) {
+           return std::tie(a.id, a.predecessor, a.successor, a.block, a.polygon, a.cell) ==
+                      std::tie(s.id, s.predecessor, s.successor, s.block, s.polygon, s.cell) &&
+                  isRead(a.start, s.start, origin) && isRead(a.end, s.end, origin) &&
+                  (!s.predecessor || isRead(a.ghost1, s.ghost1, origin)) &&
+                  (!s.successor || isRead(a.ghost2, s.ghost2, origin));
+         });
+}
+
+bool isSame(const Segment& a, const Segment& b) {
+  return std::tie(a.id, a.start, a.end, a.predecessor, a.successor, a.block, a.polygon, a.cell) ==
+             std::tie(b.id, b.start, b.end, b.predecessor, b.successor, b.block, b.polygon, b.cell) &&
+         (!a.predecessor || a.ghost1 == b.ghost1) && (!a.successor || a.ghost2 == b.ghost2);
+}
+
+std::optional<WrongRead> readMany(const World& world) {
+  const std::vector<SegmentId> ids = world.segments();
+  std::vector<Segment> each, many(ids.size());
+  for (const SegmentId id : ids) each.push_back(*world.segment(id));
+  if (!world.segments(ids, many) || !std::ranges::equal(many, each, isSame) || !areRead<float>(world, ids, each) ||
+      !areRead<double>(world, ids, each))
+    return WrongRead{"many segments are read otherwise than one by one"};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -122,7 +159,7 @@ std::optional<WrongRead> readSegments(const World& world, std::span<const Segmen
     return WrongRead{fmt::format("stats() counts {} segments, but there should be {}", counted, alive)};
   for (const CellRect& rect : someRects(segments))
     if (auto wrong = readRect(world, segments, rect)) return wrong;
-  return std::nullopt;
+  return readMany(world);
 }
 
 }  // namespace lgs::oracle

@@ -297,7 +297,7 @@ LocalPolygon Editor::randomPolygon() {
   if (!habits_.can.slants) return randomBox();
   LocalPolygon polygon{randomPoint(), randomPoint(), randomPoint()};
   if (faultOf(polygon) == ErrorCode::clockwise) std::swap(polygon[0], polygon[1]);
-  for (int more = random_.below(8); more > 0; --more) {
+  for (int more = random_.chance(12) ? 20 + random_.below(20) : random_.below(8); more > 0; --more) {
     LocalPolygon larger = polygon;
     const auto at = static_cast<std::ptrdiff_t>(random_.below(larger.size()));
     larger.insert(larger.begin() + at, randomPoint());

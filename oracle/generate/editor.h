@@ -89,6 +89,7 @@ class Editor {
   void empty(Cell cell);
   void look(Cell cell);
   void bringBack(Cell cell);
+  void allComesBack(Cell cell);
   void turn(Call::Kind kind, Cell cell);
   bool isFit(const Call& add) const;
   bool isAlive(const std::string& name) const;

@@ -130,7 +130,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.any = random.chance(40) ? 2 + random.below(8) : 0;
     habits.hostilePercent = habits.any > 0 && random.chance(40) ? 10 : 0;
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
-    habits.memory = random.chance(35) && !options.inMemory ? 1 + random.below(5) : 0;
+    habits.memory = random.chance(isAtCorner ? 60 : 20) && !options.inMemory ? 1 + random.below(5) : 0;
     habits.stroke = options.brushes ? 10 : 0;
   }
   habits.strokes.blocks = habits.blocks;

@@ -1,5 +1,6 @@
 #include "oracle/generate/strokes.h"
 
+#include "oracle/calls/shapes.h"
 #include "oracle/reference/vector.h"
 
 #include <lgs/brush.h>
@@ -25,8 +26,9 @@ class Painter {
 
   std::vector<Call> stroke() {
     if (!habits_.can.regions && random_.chance(habits_.tight ? 20 : 8)) return onSolidGround();
-    if (!habits_.can.regions && random_.chance(8)) return beside();
-    if (!habits_.can.regions && random_.chance(8)) return acrossSlivers(cell_, habits_.blocks, random_);
+    if (!habits_.can.regions && random_.chance(12)) return beside();
+    if (!habits_.can.regions && random_.chance(20)) return onShape();
+    if (!habits_.can.regions && random_.chance(12)) return acrossSlivers(cell_, habits_.blocks, random_);
     BrushEdit brush{.deed = anyDeed(random_), .rings = {}};
     const Block block = any();
     const bool isOfRegions = habits_.can.regions;
@@ -98,6 +100,83 @@ class Painter {
       if (random_.chance(30)) brush.rings = inside();
       brush.deed = isOneBlock || random_.chance(40) ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
       brush.block = isOneBlock ? block : any();
+      calls.push_back(Call::byBrush(std::move(brush)));
+    }
+    return calls;
+  }
+
+  /// Columns of boxes and triangles, some with nothing between them: they have edges and parts of edges in common, or
+  /// touch with a corner, or a vertex on an edge.
+  Shape patchwork() {
+    constexpr std::int32_t kEighth = kUnitsPerCell / 8;
+    const auto eighths = [&](int most) {
+      std::vector<std::int32_t> all{0, 8};
+      for (int k = random_.below(most); k > 0; --k) all.push_back(random_.between(1, 7));
+      std::ranges::sort(all);
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+      return all;
+    };
+    Shape shape;
+    const auto columns = eighths(4);
+    for (std::size_t i = 1; i < columns.size(); ++i) {
+      const auto rows = eighths(4);
+      for (std::size_t j = 1; j < rows.size(); ++j) {
+        const std::int32_t left = columns[i - 1], right = columns[i], floor = rows[j - 1], top = rows[j];
+        const int kind = random_.below(8);
+        if (kind < 2) continue;
+        LocalPolygon& box = shape.emplace_back(LocalPolygon{{left, floor}, {right, floor}, {right, top}, {left, top}});
+        if (kind < 5) continue;
+        const std::size_t side = random_.below(std::size_t{4});  // a triangle on it, with its tip on the other one
+        const LocalPoint a = box[side], b = box[(side + 1) % 4], c = box[(side + 2) % 4], d = box[(side + 3) % 4];
+        const bool isFlat = side % 2 == 0;
+        const auto [least, most] = isFlat ? std::minmax(c.x, d.x) : std::minmax(c.y, d.y);
+        const std::int32_t along = random_.between(least, most);
+        box = {a, b, isFlat ? LocalPoint{along, c.y} : LocalPoint{c.x, along}};
+      }
+    }
+    for (LocalPolygon& polygon : shape)
+      for (LocalPoint& v : polygon) v = {v.x * kEighth, v.y * kEighth};
+    return shape;
+  }
+
+  /// A patchwork or one of the degenerate shapes, as large as the cell or so small that rounding matters, and round holes
+  /// and spots in what others have left of it.
+  std::vector<Call> onShape() {
+    Call gone = Call::of(Call::Kind::clear), many = Call::of(Call::Kind::addMany);
+    gone.cells = {cell_, cell_};
+    const std::int32_t size = random_.chance(50) ? kUnitsPerCell : 8 << random_.below(4);
+    const auto anywhere = [&] {
+      const std::int32_t last = kUnitsPerCell - size, kind = random_.below(3);
+      return kind == 0 ? 0 : kind == 1 ? last : random_.below(last + 1);
+    };
+    const LocalPoint corner{anywhere(), anywhere()};
+    const Block block = any();
+    const bool isOneBlock = random_.chance(70);
+    const int symmetry = random_.below(8);
+    for (const LocalPolygon& polygon :
+         random_.chance(50) ? patchwork() : Shape(random_.pick(degenerateShapes()).polygons)) {
+      LocalPolygon moved = turned(polygon, symmetry);
+      for (LocalPoint& v : moved)
+        v = {corner.x + static_cast<std::int32_t>(std::int64_t{v.x} * size / kUnitsPerCell),
+             corner.y + static_cast<std::int32_t>(std::int64_t{v.y} * size / kUnitsPerCell)};
+      if (faultOf(moved)) continue;  // slivers vanish where all is small
+      many.comes.push_back({.cell = cell_, .shape = {std::move(moved)}, .block = isOneBlock ? block : any()});
+    }
+    std::vector<Call> calls{std::move(gone), std::move(many)};
+    for (int k = random_.between(1, 3); k > 0; --k) {
+      BrushEdit brush{.deed = random_.chance(60) ? BrushEdit::Deed::carve : anyDeed(random_), .rings = {}};
+      if (brush.deed != BrushEdit::Deed::carve) brush.block = any();
+      // An edge of the hole passes some place of it.
+      const std::int64_t radius = 1 + between(0, random_.chance(50) ? size : 4 * size - 1);
+      const Point rim = random_.pick(circle({}, radius, 32).rings[0]), base = toWorld(cell_, corner);
+      const std::int64_t x = between(0, size), y = between(0, size);
+      brush.rings = circle({base.x + x - rim.x, base.y + y - rim.y}, radius, random_.chance(50) ? 8 : 32).rings;
+      if (random_.chance(30)) {  // a triangle or another polygon of some of its corners
+        Ring some;
+        const std::size_t step = 1 + random_.below(brush.rings[0].size() / 3 + 1);
+        for (std::size_t v = 0; v < brush.rings[0].size(); v += step) some.push_back(brush.rings[0][v]);
+        brush.rings = {std::move(some)};
+      }
       calls.push_back(Call::byBrush(std::move(brush)));
     }
     return calls;
@@ -209,10 +288,16 @@ class Painter {
     return ring;
   }
 
-  /// A triangle with an edge that passes a corner by less than a unit or two.
+  /// A triangle with an edge that passes a corner by less than a unit or two, or runs so along a line between cells.
   Ring passing() {
-    const Point corner = random_.pick(random_.pick(habits_.last));
-    const Point step{between(-2'000, 2'000), between(-2'000, 2'000)};
+    Point corner = random_.pick(random_.pick(habits_.last));
+    Point step{between(-2'000, 2'000), between(-2'000, 2'000)};
+    if (random_.chance(30)) {
+      const Point origin = toWorld(cell_, {0, 0});
+      const bool lies = random_.chance(50);
+      (lies ? corner.y : corner.x) = lies ? origin.y : origin.x;
+      (lies ? step.y : step.x) = 0;
+    }
     const std::int64_t to = between(1, 30), from = -between(1, 30);
     const auto along = [&](std::int64_t n) { return near({corner.x + n * step.x, corner.y + n * step.y}, 1); };
     const Point a = along(to), b = along(from);

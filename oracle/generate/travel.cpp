@@ -6,6 +6,22 @@
 #include <algorithm>
 
 namespace lgs::oracle {
+namespace {
+
+Call squareAt(Cell cell) {
+  Call call = Call::of(Call::Kind::addShape);
+  call.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
+  return call;
+}
+
+// The chunks that a case can reach, and more.
+CellRect chunksAround(Cell cell) {
+  const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+  return {{inside((cell.i & ~31) - 64), inside((cell.j & ~31) - 64)},
+          {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
+}
+
+}  // namespace
 
 Call Editor::anyEdit(Cell cell) {
   Habits habits{.width = 3, .height = 3, .hostilePercent = habits_.hostilePercent};
@@ -58,6 +74,7 @@ void Editor::travel(Cell cell) {
     case 4:
       return random_.chance(30) ? time(follow, random_.below(2U)) : time(copy);
     case 5:
+      if (random_.chance(60)) allComesBack(cell);
       return time(load);
     case 6:
     case 7: {  // a group
@@ -79,7 +96,7 @@ void Editor::travel(Cell cell) {
       for (int k = 2 + random_.below(2); k > 0; --k) {
         time(mark);
         someEdits(2);
-        time(commit);
+        if (random_.chance(70)) time(commit);
       }
       time(goBack, nth, true);
       if (random_.chance(40)) {  // what is ahead stays, or goes
@@ -87,11 +104,25 @@ void Editor::travel(Cell cell) {
         time(goBack, random_.below(8U), goesOn);
       }
       if (random_.chance(30)) someEdits(1);
-      if (habits_.memory > 0 && random_.chance(40)) turn(random_.chance(50) ? unload : reload, cell);
+      for (int k = habits_.memory > 0 ? random_.below(3) : 0; k > 0; --k) {
+        const int which = random_.below(3);
+        turn(which == 0 ? reload : unload, cell);
+        if (which == 2) turn(reloadEmpty, cell);
+      }
       if (random_.chance(30)) time(commit);
       time(goForward, random_.below(2U));
+      if (habits_.memory > 0 && random_.chance(40)) turn(reloadEmpty, cell);
+      if (random_.chance(40)) make(squareAt(cell));
       return random_.chance(50) ? time(commit) : void();
   }
+}
+
+// Of a world with unloaded chunks none is saved.
+void Editor::allComesBack(Cell cell) {
+  if (model_.isWhole()) return;
+  Call call = Call::of(Call::Kind::reload);
+  call.cells = chunksAround(cell);
+  make(std::move(call));
 }
 
 // Chunks come or go, around a cell.
@@ -111,16 +142,6 @@ void Editor::turn(Call::Kind kind, Cell cell) {
   make(tidied(std::move(call)));
 }
 
-namespace {
-
-Call squareAt(Cell cell) {
-  Call call = Call::of(Call::Kind::addShape);
-  call.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
-  return call;
-}
-
-}  // namespace
-
 void Editor::remember(Cell cell) {
   using enum Call::Kind;
   const auto commits = [&] {
@@ -139,7 +160,7 @@ void Editor::remember(Cell cell) {
     back.nth = static_cast<std::uint32_t>(model_.marks()) - 1;
     make(std::move(back));
   };
-  switch (random_.below(12)) {
+  switch (random_.below(13)) {
     case 0:
     case 1:
       return turn(unload, cell);
@@ -174,15 +195,16 @@ void Editor::remember(Cell cell) {
       if (random_.chance(50)) make(std::move(gone));
       commits();
       turn(leave, cell);
-      if (random_.chance(40)) make(Call::of(load));
+      if (random_.chance(40)) {
+        allComesBack(cell);
+        make(Call::of(load));
+      }
       return random_.chance(60) ? make(squareAt(cell)) : void();
     }
     case 7: {  // all of it sleeps, and some of it wakes
       forgetMarks();
       Call all = Call::of(unload);
-      const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
-      all.cells = {{inside((cell.i & ~31) - 64), inside((cell.j & ~31) - 64)},
-                   {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
+      all.cells = chunksAround(cell);
       make(all);
       make(Call::commit());
       if (random_.chance(80)) turn(reload, cell);
@@ -209,6 +231,27 @@ void Editor::remember(Cell cell) {
       turn(unload, cell);
       commits();
       return turn(reload, cell);
+    }
+    case 11: {  // ground around a chunk that leaves
+      const CellRect chunk = Model::cellsOfChunk(Model::chunkOf(cell));
+      const auto [left, floor] = Cell{chunk.min.i - 1, chunk.min.j - 1};
+      const auto [right, top] = Cell{chunk.max.i + 1, chunk.max.j + 1};
+      if (!random_.chance(30) || !inRange(Cell{left, floor}) || !inRange(Cell{right, top})) return turn(unload, cell);
+      for (const CellRect& side :
+           {CellRect{{left, floor}, {right, floor}}, CellRect{{left, top}, {right, top}},
+            CellRect{{left, floor + 1}, {left, top - 1}}, CellRect{{right, floor + 1}, {right, top - 1}}}) {
+        Call gone = Call::of(clear), come = squareAt(side.min);
+        gone.cells = come.cells = side;
+        come.kind = fill;
+        make(std::move(gone));
+        make(tidied(std::move(come)));
+      }
+      if (random_.chance(60)) make(squareAt({left + 1, random_.between(floor + 1, top - 1)}));
+      make(Call::commit());
+      Call leaves = Call::of(unload);
+      leaves.cells = chunk;
+      make(std::move(leaves));
+      return commits();
     }
     default:                     // leaves a place, and what was unloaded there
       if (random_.chance(40)) {  // of which the bytes do not say what was undone since

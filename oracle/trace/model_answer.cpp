@@ -97,7 +97,7 @@ std::string Model::wrongHandles(const Call& call, const Outcome& outcome) const 
   const std::vector<PolygonHandle>& handles = outcome.handles;
   if (std::ranges::any_of(handles, [&](PolygonHandle h) { return standing().nameOf(h) != nullptr; }))
     return "gives the handle of another polygon";
-  constexpr std::ptrdiff_t kRecent = 256;
+  constexpr std::ptrdiff_t kRecent = 1'024;
   const auto recent = now_.given.end() - std::min(kRecent, std::ssize(now_.given));
   if (!hasForgotten_ && std::any_of(recent, now_.given.end(), [&](const Given& given) {
         return given.handle && std::ranges::find(handles, given.handle) != handles.end();

@@ -250,6 +250,7 @@ Player::Done Player::readBack(const Call& call, const BrushResult& result) {
   if (old.size() != result.removed.size() + result.changed.size())
     return wrong("the brush tells twice what it did to a polygon");
   const CellRect cells = cellsUnder(call.brush);
+  std::map<PolygonHandle, std::string> oldNames, newNames;  // a polygon that got another block has kept its handle
   std::map<PolygonHandle, ScenePolygon> there;
   world().forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& p) {
     there[p.handle] = {cell, p.block, {p.vertices.begin(), p.vertices.end()}};
@@ -265,6 +266,7 @@ Player::Done Player::readBack(const Call& call, const BrushResult& result) {
       const bool isBent = std::ranges::find(result.rounded, handle) != result.rounded.end();
       if (isKept && isBent) return wrong(fmt::format("the brush says that it bent '{}', which is as it was", name));
       if (isBent) brushed_.rounded.push_back(name);
+      oldNames[handle] = name;
       if (isKept) {
         there.erase(now);
       } else {
@@ -284,7 +286,10 @@ Player::Done Player::readBack(const Call& call, const BrushResult& result) {
     if (!model_.judge(part).accepted) return wrong("a brush makes what must be refused: " + printCall(part));
     edited_.insert(part.comes[0].cell);
     model_.add(part.name(), part.polygon(), handle);
+    newNames[handle] = part.name();
   }
+  for (const BrushChange& change : result.changed)
+    for (const PolygonHandle now : change.now) brushed_.became.emplace_back(oldNames[change.old], newNames[now]);
   return made.empty() ? Done() : wrong("the brush tells of a polygon that it did not make");
 }
 

@@ -20,7 +20,8 @@ namespace lgs::oracle {
 /// What a brush did, as edits by hand.
 struct Brushed {
   std::vector<Call> edits;  ///< removes of what it changed in any way, then adds of what is there now
-  std::map<std::string, ScenePolygon> removed;  ///< what these removed
+  std::map<std::string, ScenePolygon> removed;                   ///< what these removed
+  std::vector<std::pair<std::string, std::string>> became = {};  ///< of these, and of those that are there now
   std::vector<std::string> rounded;  ///< of those that are removed: what it is said to have bent against law 9
 };
 

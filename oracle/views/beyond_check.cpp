@@ -44,7 +44,11 @@ std::string BeyondCheck::update(const World& part, const WholeGround& whole, con
   if (std::string wrong = read(part, whole, islands, now); !wrong.empty()) return wrong;
   std::set<Cell> gone = before_.empty;  // forgotten, maybe: until ground comes there nobody is told
   gone.insert(before_.away.begin(), before_.away.end());
-  for (const ScenePolygon& p : now.polygons) gone.erase(chunkOf(p.cell));
+  now.forgotten = whole.forgotten;
+  for (const ScenePolygon& p : now.polygons) {
+    gone.erase(chunkOf(p.cell));
+    now.forgotten.erase(chunkOf(p.cell));
+  }
   now.empty.insert(gone.begin(), gone.end());
   std::string wrong = compare(islands, now, {});
   const std::vector<Cell> open = mayCount(now);
@@ -141,7 +145,8 @@ std::string BeyondCheck::read(const World& part, const WholeGround& whole, const
 }
 
 std::vector<BeyondCheck::Kin> BeyondCheck::kinOf(const Moment& now, const std::set<Cell>& counting) const {
-  std::set<Cell> away = before_.away;
+  std::set<Cell> away;
+  std::ranges::set_difference(before_.away, now.forgotten, std::inserter(away, away.end()));
   away.insert(now.away.begin(), now.away.end());
   away.insert(counting.begin(), counting.end());
   std::vector<ScenePolygon> all;

@@ -16,7 +16,8 @@ namespace lgs::oracle {
 /// Ground as it is, whether it is in memory or not.
 struct WholeGround {
   std::vector<ScenePolygon> polygons;
-  std::set<Cell> away;  ///< the lower-left cells of unloaded chunks, those without ground included
+  std::set<Cell> away;            ///< the lower-left cells of unloaded chunks, those without ground included
+  std::set<Cell> forgotten = {};  ///< and of those that were unloaded at the last update, and were forgotten since
 };
 
 /// Holds a view of a world with unloaded chunks against all of the ground, and what it tells against the definitions in
@@ -37,6 +38,7 @@ class BeyondCheck {
     std::map<IslandId, IslandFacts> known;
     std::set<Cell> away;   ///< the lower-left cells of unloaded chunks with ground
     std::set<Cell> empty;  ///< and of those without, or that were forgotten: they may count or not
+    std::set<Cell> forgotten;
   };
   struct Kin {
     std::set<IslandId> olds, news;

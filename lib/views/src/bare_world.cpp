@@ -36,6 +36,21 @@ void BareWorld::fillUnknown(const CellRect& chunk) {
   expect(square && world_.reloadEmpty(chunk) && world_.fill(chunk, *square, 0) && world_.unload(chunk, {}));
 }
 
+void BareWorld::know(const CellRect& chunk) {
+  expect(world_.reloadEmpty(chunk).has_value());
+  unknown_.erase(chunk.min);
+}
+
+/// Of chunks that were forgotten nobody tells. No loaded ground was beside them then, so it is in time to look for them
+/// where some comes.
+void BareWorld::dropForgotten(const World& world, Cell cell) {
+  if (!isAtRimOfChunk(cell)) return;
+  const CellRect around = cellsAround(cell);
+  for (std::int32_t i = around.min.i; i <= around.max.i; ++i)
+    for (std::int32_t j = around.min.j; j <= around.max.j; ++j)
+      if (const Cell beside{i, j}; isUnloaded(world_, beside) && !isUnloaded(world, beside)) know(chunkWith(beside));
+}
+
 const Changes& BareWorld::follow(const World& world) {
   std::vector<CellRect> left;
   for (const CellChange& change : world.cellChanges()) {
@@ -44,8 +59,8 @@ const Changes& BareWorld::follow(const World& world) {
       if (left.empty() || left.back().min != chunk.min) left.push_back(chunk);
       continue;
     }
-    expect(world_.reloadEmpty(chunk).has_value());
-    unknown_.erase(chunk.min);
+    know(chunk);
+    dropForgotten(world, change.cell);
     world_.polygons(change.cell, held_);
     gone_.clear();
     come_.clear();

@@ -22,6 +22,8 @@ class BareWorld {
 
  private:
   void fillUnknown(const CellRect& chunk);
+  void know(const CellRect& chunk);
+  void dropForgotten(const World& world, Cell cell);
 
   World world_;
   std::set<Cell> unknown_;           // lower-left cells of unloaded chunks that count as solid

@@ -31,8 +31,12 @@ class HandlesLaw : public Law {
   Found nowAndThen(Seen& seen) override {
     const World& world = seen.world();
     const auto isThere = [&](PolygonHandle handle) { return world.polygon(handle).has_value(); };
-    if (std::ranges::none_of(gone_, isThere)) return std::nullopt;
-    return seen.mismatch(Mismatch::Kind::reading, "the handle of a removed polygon names another one now");
+    if (std::ranges::any_of(gone_, isThere))
+      return seen.mismatch(Mismatch::Kind::reading, "the handle of a removed polygon names another one now");
+    for (const auto& entry : seen.model().standing().cells())
+      if (isThere({entry.second.front().handle.cellRef, 0}))
+        return seen.mismatch(Mismatch::Kind::reading, "a handle without serial names a polygon");
+    return std::nullopt;
   }
 
  private:

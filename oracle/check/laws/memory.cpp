@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -65,10 +66,43 @@ std::string wrongMemory(const Player& player, bool isLong) {
   return "";
 }
 
+// As many other polygons each time: they read as they were placed, and of those before them nothing is left. What is not
+// used any more is looked for once there are 1,024 of it.
+std::string wrongContents() {
+  constexpr std::int32_t kSide = 36, kEach = kSide * kSide, kRounds = 4;
+  constexpr CellRect kCells{{0, 0}, {kSide - 1, kSide - 1}};
+  World world;
+  std::uint64_t first = 0;
+  for (std::int32_t round = 1; round <= kRounds; ++round) {
+    const auto triangle = [&](std::int32_t k) {
+      return std::array<LocalPoint, 3>{{{0, 0}, {kUnitsPerCell, round * kEach + k}, {0, kUnitsPerCell}}};
+    };
+    for (std::int32_t k = 0; k < kEach; ++k)
+      if (!world.add({k % kSide, k / kSide}, triangle(k), 1)) return "a good polygon is refused";
+    for (std::int32_t k = 0; k < kEach; ++k) {
+      const auto there = world.polygons({k % kSide, k / kSide});
+      if (there.size() != 1 || !std::ranges::equal(there[0].vertices, triangle(k)))
+        return "of many polygons that came after others one is not as it was placed";
+    }
+    world.commit();
+    if (!world.clear(kCells)) return "what stands can not be taken away";
+    world.commit();
+    if (round == kFirst) first = world.stats().bytes;
+  }
+  const std::uint64_t last = world.stats().bytes;
+  return last <= first ? ""
+                       : fmt::format("emptied, a world holds {} bytes after {} polygons, and {} after {}", first,
+                                     kFirst * kEach, last, kRounds * kEach);
+}
+
 class MemoryLaw : public Law {
  public:
   Found atEnd(Seen& seen) override {
     const Player& player = seen.library->player();
+    constexpr std::size_t kNowAndThen = 16;  // it depends on no call
+    if (player.past().size() % kNowAndThen == 0)
+      if (std::string wrong = wrongContents(); !wrong.empty())
+        return seen.mismatch(Mismatch::Kind::memory, std::move(wrong));
     if (!player.isOfOnePast()) return std::nullopt;
     std::string wrong = wrongMemory(player, areListsLeft(player));
     return wrong.empty() ? std::nullopt : Found(seen.mismatch(Mismatch::Kind::memory, std::move(wrong)));

@@ -7,6 +7,9 @@
 #include "oracle/views/piece_check.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -22,6 +25,7 @@ class ViewsLaw : public Law {
   }
 
   void before(Seen& seen, const Judged& judged) override {
+    if (views_ && judged.call.kind == Call::Kind::leave) away_ = chunksAway(seen);
     const bool turns = isOfMemory(judged.call.kind) && seen.isPending();
     if (turns && !seen.trace.preserve.empty()) views_.reset();  // they ask for a commit
   }
@@ -34,6 +38,8 @@ class ViewsLaw : public Law {
       views_.reset();
       isAsked_ = begins(seen);
     }
+    if (views_ && kind == leave)
+      std::ranges::set_difference(away_, chunksAway(seen), std::inserter(forgotten_, forgotten_.end()));
     return std::nullopt;
   }
 
@@ -62,10 +68,13 @@ class ViewsLaw : public Law {
   using Wrong = std::optional<std::string>;
   static Wrong said(std::string wrong) { return wrong.empty() ? Wrong() : Wrong(std::move(wrong)); }
 
-  static WholeGround ground(const Seen& seen) {
-    WholeGround all{seen.scene().polygons, {}};
-    for (const Cell chunk : seen.model().chunksAway()) all.away.insert(Model::cellsOfChunk(chunk).min);
-    return all;
+  static std::set<Cell> chunksAway(const Seen& seen) {
+    std::set<Cell> corners;
+    for (const Cell chunk : seen.model().chunksAway()) corners.insert(Model::cellsOfChunk(chunk).min);
+    return corners;
+  }
+  WholeGround ground(const Seen& seen) {
+    return {seen.scene().polygons, chunksAway(seen), std::exchange(forgotten_, {})};
   }
 
   static bool begins(Seen& seen) { return seen.world().followCells(true).has_value(); }
@@ -92,6 +101,7 @@ class ViewsLaw : public Law {
   };
   bool streams_ = false;  // chunks may leave memory
   bool isAsked_ = false;
+  std::set<Cell> away_, forgotten_;  // chunks before the last call; those that were forgotten since the last look
   std::optional<Followed> views_;
 };
 
