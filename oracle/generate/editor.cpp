@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <lgs/world.h>
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <set>
 
 namespace lgs::oracle {
 
@@ -293,11 +295,23 @@ LocalPolygon Editor::randomBox() {
   return {{left, floor}, {right, floor}, {right, top}, {left, top}};
 }
 
+// On the floor, with a top of many corners.
+LocalPolygon Editor::randomRange() {
+  LocalPolygon polygon{{0, 0}, {kUnitsPerCell, 0}};
+  std::set<std::int32_t, std::greater<>> across;
+  for (int k = 8 + random_.below(50); k > 0; --k) across.insert(randomPoint().x);
+  for (const std::int32_t x : across)
+    if (const std::int32_t y = randomPoint().y; y > 0) polygon.push_back({x, y});
+  return turned(polygon, random_.below(8));
+}
+
 LocalPolygon Editor::randomPolygon() {
   if (!habits_.can.slants) return randomBox();
+  if (random_.chance(15))
+    if (LocalPolygon range = randomRange(); !faultOf(range)) return range;
   LocalPolygon polygon{randomPoint(), randomPoint(), randomPoint()};
   if (faultOf(polygon) == ErrorCode::clockwise) std::swap(polygon[0], polygon[1]);
-  for (int more = random_.chance(12) ? 20 + random_.below(20) : random_.below(8); more > 0; --more) {
+  for (int more = random_.below(8); more > 0; --more) {
     LocalPolygon larger = polygon;
     const auto at = static_cast<std::ptrdiff_t>(random_.below(larger.size()));
     larger.insert(larger.begin() + at, randomPoint());

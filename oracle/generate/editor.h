@@ -102,6 +102,7 @@ class Editor {
   std::string freshName();
   LocalPolygon randomPolygon();
   LocalPolygon randomBox();
+  LocalPolygon randomRange();
   LocalPoint randomPoint();
 
   Trace trace_;

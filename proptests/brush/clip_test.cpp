@@ -34,23 +34,9 @@ Place anyPlace(Chance& chance) {
   return {size, {coordinate(), coordinate()}};
 }
 
-/// Two that hang together and touch once more, with a vertex on an edge: so their outline touches itself.
-const std::vector<oracle::LocalPolygon>& touchingItself() {
-  constexpr std::int32_t kEighth = kUnitsPerCell / 8;
-  static const std::vector<oracle::LocalPolygon> kPolygons = [] {
-    std::vector<oracle::LocalPolygon> all{{{0, 0}, {4, 0}, {4, 4}, {0, 4}},
-                                          {{4, 0}, {8, 0}, {8, 8}, {2, 8}, {2, 4}, {3, 6}, {4, 4}}};
-    for (oracle::LocalPolygon& polygon : all)
-      for (LocalPoint& v : polygon) v = {v.x * kEighth, v.y * kEighth};
-    return all;
-  }();
-  return kPolygons;
-}
-
 Polygons anyGround(const Place& place, Chance& chance) {
   const auto& shapes = oracle::degenerateShapes();
-  const std::size_t which = chance.below(shapes.size() + 4);
-  const auto& shape = which < shapes.size() ? shapes[which].polygons : touchingItself();
+  const auto& shape = shapes[chance.below(shapes.size())].polygons;
   const int symmetry = static_cast<int>(chance.below(8));
   const bool isOfTwo = chance.below(3) == 0;
   Polygons polygons;
