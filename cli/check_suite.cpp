@@ -46,7 +46,8 @@ tl::expected<Suites, std::string> readSuites(const CheckArguments& arguments) {
                             : arguments.engine.isGiven() ? whyNot(strokes->trace, arguments.world.can)
                                                          : "";
     if (!why.empty()) {
-      ++suites.read.leftOut[strokes ? "case that the engine can not have: " + why : why];
+      const std::size_t reason = why.starts_with("edit ") ? why.find(": ") + 2 : 0;  // whichever edit it is of
+      ++suites.read.leftOut[strokes ? "case that the engine can not have: " + why.substr(reason) : why];
       continue;
     }
     suites.rounded += strokes->isRounded ? 1 : 0;

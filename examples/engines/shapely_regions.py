@@ -33,7 +33,7 @@ def region_of(rings):
 
 def segments(solid):
     for part in getattr(solid, "geoms", [solid]):
-        for ring in (part.exterior, *part.interiors) if isinstance(part, Polygon) else ():
+        for ring in (part.exterior, *part.interiors) if isinstance(part, Polygon) and not part.is_empty else ():
             turn = 1 if ring.is_ccw == (ring is part.exterior) else -1  # the solid is on the left
             points = [(round(x), round(y)) for x, y in ring.coords[::turn]]
             yield from ((*a, *b) for a, b in zip(points, points[1:]) if a != b)

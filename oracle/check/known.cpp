@@ -2,6 +2,7 @@
 
 #include "oracle/calls/shapes.h"
 #include "oracle/check/shrink.h"
+#include "oracle/trace/line.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -99,10 +100,7 @@ tl::expected<std::vector<KnownMismatch>, std::string> parseKnown(std::string_vie
     return {};
   };
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view content = text.substr(0, end);
-    if (content.ends_with('\r')) content.remove_suffix(1);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view content = takeLine(text);
     ++line;
     if (known.empty() && content.starts_with('#')) continue;
     if (!content.starts_with(kHead)) {

@@ -1,11 +1,12 @@
 // Clipper2's text: lines `KEY: VALUE`, and behind SUBJECTS and CLIPS a line for each ring, `x,y, x,y, …`.
-#include "oracle/suites/numbers.h"
 #include "oracle/suites/suite.h"
 #include "oracle/trace/line.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -13,6 +14,15 @@ namespace lgs::oracle {
 namespace {
 
 using Ring = std::vector<SuitePart::Vertex>;
+
+/// A finite number; nothing, if the word is none.
+std::optional<double> numberOf(std::string_view word) {
+  double number = 0;
+  if (word.starts_with('+')) word.remove_prefix(1);
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool isWhole = status == std::errc() && end == word.data() + word.size() && !word.empty();
+  return isWhole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
 
 std::optional<Ring> ringOf(std::span<const std::string_view> words) {
   Ring ring;

@@ -4,6 +4,7 @@
 #include "oracle/check/report.h"
 #include "proptests/support/must.h"
 
+#include <gtest/gtest.h>
 #include <chrono>
 #include <thread>
 #include <vector>

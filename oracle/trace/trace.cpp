@@ -165,11 +165,7 @@ ParsedTrace parseTrace(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {
     ++number;
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (Fault fault = parser.line(line, number); !fault.empty()) {
+    if (Fault fault = parser.line(takeLine(text), number); !fault.empty()) {
       parsed.error = TraceError{number, std::move(fault), {}};
       return parsed;
     }
