@@ -22,6 +22,12 @@ Tight tightAt(Point centre, Random& random);
 /// Rings on such a lattice: they cross, touch and overlap, and have spikes.
 std::vector<std::vector<Point>> crossingRings(const Tight& lattice, Random& random);
 
+BrushEdit::Deed anyDeed(Random& random);
+
+/// A cell gets a patchwork or one of the degenerate shapes, as large as the cell or so small that rounding matters; and
+/// round holes and spots are made in what others have left of it.
+std::vector<Call> acrossShapes(Cell cell, const std::vector<Block>& blocks, Random& random);
+
 /// A cell is emptied, gets triangles of one unit's height side by side, and a region across some: vertices of each are
 /// less than a unit from the edges of others.
 std::vector<Call> acrossSlivers(Cell cell, const std::vector<Block>& blocks, Random& random);
