@@ -59,21 +59,6 @@ void merge(pugi::xml_node instance, pugi::xml_node origin, pugi::xml_document& m
   for (const auto property : instance.child("properties").children()) properties.append_copy(property);
 }
 
-/// Lets an open polyline run from left to right. Returns whether it does, and is nowhere upright.
-bool runsAcross(std::vector<DoublePoint>& points) {
-  if (points.size() > 1 && points.front().x > points.back().x) std::reverse(points.begin(), points.end());
-  const auto turnsBack = [](DoublePoint a, DoublePoint b) { return a.x >= b.x; };
-  return points.size() > 1 && std::adjacent_find(points.begin(), points.end(), turnsBack) == points.end();
-}
-
-/// An open polyline becomes what lies up to so many pixels below it.
-void thicken(CollisionObject& object, double thickness) {
-  std::vector<DoublePoint>& points = object.points;
-  object.kind = Kind::polygon;
-  object.thickness = thickness;
-  for (std::size_t k = points.size(); k-- > 0;) points.push_back({points[k].x, points[k].y + thickness});
-}
-
 CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint offset) {
   CollisionObject object;
   object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
@@ -86,25 +71,23 @@ CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint 
   object.gid = static_cast<std::uint32_t>(file.integer(node, "gid", 0, 0, kMostId));
   object.hidden = !node.attribute("visible").as_bool(true);
   readKind(file, node, object);
-  object.oneWay = (object.kind == Kind::polyline || object.kind == Kind::tile) && saysOneWay(node);
   return object;
 }
 
-/// An open polyline is left out, with what would help; or it becomes a thin polygon.
-void settlePolyline(CollisionObject& object, double thickness) {
-  const std::string noArea = "an open polyline has no area: ";
-  const bool isAcross = runsAcross(object.points);
-  if (!object.oneWay && isAcross && thickness > 0) {
-    leaveOut(object, noArea + "close it, or give it the class one-way, and it becomes a thin polygon");
-  } else if (!object.oneWay) {
-    leaveOut(object, noArea + "close it, or draw a polygon instead");
-  } else if (!isAcross) {
-    leaveOut(object, noArea + "close it, or let it run from left to right, nowhere upright, for a thin polygon");
-  } else if (thickness == 0) {
-    leaveOut(object, noArea + "as it is one-way, --polyline-thickness PIXELS makes a thin polygon");
-  } else {
-    thicken(object, thickness);
+/// Each segment of an open polyline becomes what lies up to so many pixels below it; right of it, if it is steep.
+std::vector<CollisionObject> thickened(CollisionObject line, double thickness) {
+  std::vector<CollisionObject> pieces;
+  const std::vector<DoublePoint> points = std::exchange(line.points, {});
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const DoublePoint a = points[k - 1], b = points[k];
+    const bool isSteep = std::fabs(b.y - a.y) > std::fabs(b.x - a.x);
+    const DoublePoint out = isSteep ? DoublePoint{thickness, 0} : DoublePoint{0, thickness};
+    CollisionObject& piece = pieces.emplace_back(line);
+    piece.kind = Kind::polygon;
+    piece.thickness = thickness;
+    piece.points = {a, b, {b.x + out.x, b.y + out.y}, {a.x + out.x, a.y + out.y}};
   }
+  return pieces;
 }
 
 }  // namespace
@@ -146,18 +129,20 @@ bool isLeftOut(const Options& options, const std::string& className, const std::
   });
 }
 
-CollisionObject asAsked(CollisionObject object, const Options& options) {
+std::vector<CollisionObject> asAsked(CollisionObject object, const Options& options) {
   const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
   if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
-  if (object.kind == Kind::unsupported) return object;
+  if (object.kind == Kind::unsupported) return {std::move(object)};
   if (isNotAsked) {
     leaveOut(object, "it is left out, as asked");
   } else if (object.hidden && options.visibleOnly) {
     leaveOut(object, "it is hidden");
   } else if (object.kind == Kind::polyline) {
-    settlePolyline(object, options.polylineThickness);
+    if (options.polylineThickness > 0 && object.points.size() > 1)
+      return thickened(std::move(object), options.polylineThickness);
+    leaveOut(object, concat(kNoArea, ": close it, or --polyline-thickness PIXELS makes it thick"));
   }
-  return object;
+  return {std::move(object)};
 }
 
 namespace {

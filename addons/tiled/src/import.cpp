@@ -295,6 +295,7 @@ void Import::finish() {
   for (TileReport& tile : report.tiles) sort(tile.notes);
   for (LayerReport& layer : report.layers) sort(layer.notes);
   blocks_.report(map_);
+  join(report.partial, asked_.notThere());
   for (std::string& note : asked_.notes()) report.notes.push_back(std::move(note));
 }
 

@@ -52,10 +52,12 @@ std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source,
   frame.shift = {tileset->offset.x * frame.scale.x, tileset->offset.y * frame.scale.y};
   const DoublePoint part = anchor(tileset->alignment);
   std::vector<MapShape> shapes;
+  std::vector<CollisionObject> all;
   for (CollisionObject& drawn : tile.objects) {
     drawn.hidden |= object.hidden;
-    drawn.oneWay |= object.oneWay;
-    drawn = asAsked(std::move(drawn), options);
+    for (CollisionObject& piece : asAsked(std::move(drawn), options)) all.push_back(std::move(piece));
+  }
+  for (const CollisionObject& drawn : all) {
     if (!budget.shape(drawn.points.size())) break;
     MapShape& shape = shapes.emplace_back(MapShape{drawn, outline(drawn)});
     shape.object.id = object.id;
@@ -76,7 +78,6 @@ std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source,
 
 std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Options& options, Budget& budget) {
   std::vector<MapShape> shapes;
-  const bool isOneWay = saysOneWay(layer.node);
   for (const auto node : layer.node.children("object")) {
     if (layer.isByProperty && !firstFit(options.solidIf, propertiesOf(node))) continue;
     CollisionObject object = readObject(*source.file, node, layer.offset, source.templates);
@@ -84,15 +85,15 @@ std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Opt
     if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {
       continue;
     }
-    object.oneWay |= isOneWay;
-    object = asAsked(std::move(object), options);
-    if (object.kind == Kind::tile) {
-      for (MapShape& shape : shapesOf(object, source, options, budget)) shapes.push_back(std::move(shape));
-      continue;
+    for (CollisionObject& piece : asAsked(std::move(object), options)) {
+      if (piece.kind == Kind::tile) {
+        for (MapShape& shape : shapesOf(piece, source, options, budget)) shapes.push_back(std::move(shape));
+        continue;
+      }
+      MapShape& shape = shapes.emplace_back(MapShape{std::move(piece), {}});
+      shape.outline = outline(shape.object);
+      for (DoublePoint& p : shape.outline) p.y = -p.y;
     }
-    MapShape& shape = shapes.emplace_back(MapShape{std::move(object), {}});
-    shape.outline = outline(shape.object);
-    for (DoublePoint& p : shape.outline) p.y = -p.y;
   }
   const std::string ofLayer = classOf(layer.node);
   for (MapShape& shape : shapes) {

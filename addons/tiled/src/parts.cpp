@@ -29,7 +29,7 @@ class Noter {
                   " vertices"));
     }
     if (object_.thickness > 0) {
-      note(NoteKind::approximated, 0, "a one-way polyline became a polygon, " + pixels(object_.thickness) + " thick");
+      note(NoteKind::approximated, 0, "an open polyline became " + pixels(object_.thickness) + " thick");
     }
     if (object_.hidden) note(NoteKind::hidden, 0, "is hidden, and counts all the same; --visible leaves it out");
     if (snapped.takenBack) {
@@ -96,8 +96,10 @@ TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& 
   TileParts result;
   if (isLeftOut(tile, options)) return result;
   const bool carries = options.outside == Outside::carry;
-  for (const CollisionObject& drawn : tile.objects) {
-    const CollisionObject object = asAsked(drawn, options);
+  std::vector<CollisionObject> objects;
+  for (const CollisionObject& drawn : tile.objects)
+    for (CollisionObject& object : asAsked(drawn, options)) objects.push_back(std::move(object));
+  for (const CollisionObject& object : objects) {
     std::vector<DoublePoint> points = outline(object);
     for (DoublePoint& p : points) p = frame.toCell(p);
     double out = 0;

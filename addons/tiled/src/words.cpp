@@ -43,13 +43,14 @@ constexpr auto kOther = std::to_array<std::string_view>(
     {"art",    "back",  "background", "behind", "below",      "bg",    "cam", "camera", "con",   "fake",
      "far",    "fg",    "fire",       "fore",   "foreground", "front", "fx",  "item",   "items", "light",
      "lights", "mid",   "middle",     "moving", "npc",        "npcs",  "old", "paper",  "pass",  "passable",
-     "path",   "paths", "play",       "player", "sprite",     "sur",   "with"});
+     "path",   "paths", "play",       "player", "sprite",     "sur",   "win", "with"});
 
 /// The same for words that begin so.
 constexpr auto kOtherBegins = std::to_array<std::string_view>({
-    "ambient", "check",  "cloud", "coin",   "collect", "decal",    "deco",  "detail", "door",  "effect", "enem",
-    "entr",    "event",  "exit",  "finish", "flag",    "fond",     "goal",  "hinter", "ignor", "liquid", "overlay",
-    "portal",  "shadow", "sky",   "spawn",  "start",   "teleport", "toxic", "visual", "warp",  "water",
+    "ambient", "check",  "cloud",    "coin",   "collect", "decal",    "deco",   "detail", "door",
+    "effect",  "enem",   "entit",    "entr",   "event",   "exit",     "finish", "flag",   "fond",
+    "goal",    "hinter", "ignor",    "liquid", "navig",   "overlay",  "portal", "shadow", "sky",
+    "spawn",   "start",  "teleport", "toxic",  "visual",  "walkable", "warp",   "water",
 });
 
 /// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.
@@ -59,7 +60,8 @@ constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "backgrou
 /// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
 constexpr auto kPassableBegins = std::to_array<std::string_view>(
     {"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "sensor", "spike", "trigger"});
-constexpr auto kFluidBegins = std::to_array<std::string_view>({"acid", "lava", "rope", "vine", "water"});
+constexpr auto kFluidBegins =
+    std::to_array<std::string_view>({"acid", "hole", "lava", "pit", "rope", "vine", "void", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties = std::to_array<std::string_view>(
@@ -155,7 +157,9 @@ bool anyWord(std::string_view name, const Fits& fits) {
 
 }  // namespace
 
-Saying saying(std::string_view name) { return sayingOf(wordsIn(name), isOther); }
+Saying saying(std::string_view name) {
+  return sayingOf(wordsIn(name), [](std::string_view word) { return word != "player" && isOther(word); });
+}
 
 Saying sayingOfProperty(std::string_view name) {
   return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || has(kOfProperties, word); });
@@ -175,24 +179,15 @@ bool isMainName(std::string_view name) {
   return words.size() == 1 && has(kMain, words.front());
 }
 
+bool isForeground(std::string_view name) {
+  return anyWord(name, [](const std::string& word) { return word == "foreground" || word == "fg"; });
+}
+
 bool isOnlySeen(std::string_view name) {
   return anyWord(name, [](const std::string& word) { return has(kSeen, word) || begins(kSeenBegins, word); });
 }
 
 bool isForOtherUse(std::string_view name) { return anyWord(name, isOther); }
-
-namespace {
-
-/// "One-Way", "one_way" and "oneWay" are alike.
-bool isOneWayWord(std::string_view name) {
-  std::string text = lower(name);
-  std::erase_if(text, [](char c) { return c == '-' || c == '_' || c == ' '; });
-  constexpr std::array<std::string_view, 4> kWords{"oneway", "platform", "jumpthrough", "jumpthru"};
-  return std::any_of(kWords.begin(), kWords.end(),
-                     [&](std::string_view word) { return text.find(word) != std::string::npos; });
-}
-
-}  // namespace
 
 Properties propertiesOf(pugi::xml_node node) {
   Properties result;
@@ -252,14 +247,8 @@ Saying sayingOf(pugi::xml_node node, std::string* why) {
   for (const auto& [property, value] : properties) {
     if (saysYes(value)) hear(sayingOfProperty(property), "its property '" + property + "' says so");
   }
-  return strongest;
-}
-
-bool saysOneWay(pugi::xml_node node) {
-  if (isOneWayWord(node.attribute("name").value()) || isOneWayWord(classOf(node))) return true;
-  const Properties properties = propertiesOf(node);
-  return std::any_of(properties.begin(), properties.end(),
-                     [](const auto& p) { return isOneWayWord(p.first) && saysYes(p.second); });
+  const bool isPart = strongest.says == Says::ground && strongest.ground == Ground::part;
+  return isPart && node.attribute(kThingsAttribute) ? Saying{} : strongest;
 }
 
 }  // namespace lgs::tiled
