@@ -65,7 +65,8 @@ const LayerFacts* onlyLayer(const Facts& facts) {
   }
   const Layers& some = all.empty() ? fore : all.size() > 1 ? called : all;
   const LayerFacts* const only = some.size() == 1 ? some.front() : nullptr;
-  const bool isIt = only && only->bare > 0 && 2 * only->tiles <= only->cells && only->tiles >= passedOver;
+  const bool isRivalled = only && !only->isForOther && only->tiles < passedOver;
+  const bool isIt = only && only->bare > 0 && 2 * only->tiles <= only->cells && !isRivalled;
   return isIt && !isTiny(*only) ? only : nullptr;
 }
 

@@ -38,6 +38,9 @@ constexpr auto kLongWords = std::to_array<Saying>({{Says::collision, "collision"
 /// Words that turn the one after them into its opposite, or that are written together with it.
 constexpr auto kNot = std::to_array<std::string_view>({"anti", "no", "non", "not", "un", "without"});
 
+/// What lets bodies pass; what does not is solid: "non_traversable", "unwalkable".
+constexpr auto kPassed = std::to_array<std::string_view>({"passab", "traversab", "walkab"});
+
 /// Words for another use, as they are. They are also looked for before and after a word that is written together.
 constexpr auto kOther = std::to_array<std::string_view>(
     {"art",    "back",  "background", "behind", "below",      "bg",    "cam", "camera", "con",   "fake",
@@ -47,10 +50,10 @@ constexpr auto kOther = std::to_array<std::string_view>(
 
 /// The same for words that begin so.
 constexpr auto kOtherBegins = std::to_array<std::string_view>({
-    "ambient", "check",  "cloud",    "coin",   "collect", "decal",    "deco",   "detail", "door",
-    "effect",  "enem",   "entit",    "entr",   "event",   "exit",     "finish", "flag",   "fond",
-    "goal",    "hinter", "ignor",    "liquid", "navig",   "overlay",  "portal", "shadow", "sky",
-    "spawn",   "start",  "teleport", "toxic",  "visual",  "walkable", "warp",   "water",
+    "ambient", "check",  "cloud",    "coin",   "collect", "decal",   "deco",   "detail", "door",
+    "effect",  "enem",   "entit",    "entr",   "event",   "exit",    "finish", "flag",   "fond",
+    "goal",    "hinter", "ignor",    "liquid", "navig",   "overlay", "portal", "shadow", "sky",
+    "spawn",   "start",  "teleport", "toxic",  "visual",  "walkab",  "warp",   "water",
 });
 
 /// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.
@@ -110,6 +113,8 @@ std::vector<std::string> wordsIn(std::string_view name) {
 
 /// What one word says, with what is written together with it.
 Saying sayingOf(std::string_view text) {
+  for (const std::string_view no : kNot)
+    if (text.starts_with(no) && begins(kPassed, text.substr(no.size()))) return {Says::collision, "not passable"};
   const auto fits = [&](std::string_view word) {
     const std::size_t at = text.find(word);
     return at != std::string_view::npos && !isOther(text.substr(0, at)) && !has(kNot, text.substr(0, at)) &&
@@ -140,9 +145,10 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
   bool isNot = false;
   for (const std::string& word : words) {
     if (word.empty()) endPart();
-    const Saying one = sayingOf(word);
+    const bool isBarred = isNot && begins(kPassed, word);
+    const Saying one = isBarred ? Saying{Says::collision, "not passable"} : sayingOf(word);
     if (one.says > part.says) part = one;
-    isOtherPart = isOtherPart || isOtherUse(word) || (isNot && one.says != Says::nothing);
+    isOtherPart = isOtherPart || (!isBarred && (isOtherUse(word) || (isNot && one.says != Says::nothing)));
     isNot = has(kNot, word);
   }
   endPart();
@@ -171,6 +177,11 @@ bool isPassable(std::string_view name) {
 
 bool isGoneThrough(std::string_view name) {
   return isPassable(name) || anyWord(name, [](const std::string& word) { return begins(kFluidBegins, word); });
+}
+
+bool isPassage(std::string_view name) {
+  return anyWord(name, [](const std::string& word) { return begins(kPassed, word); }) &&
+         saying(name).says == Says::nothing;
 }
 
 bool isMainName(std::string_view name) {

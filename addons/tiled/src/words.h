@@ -51,6 +51,9 @@ bool isPassable(std::string_view name);
 /// The same for the name of a value of cells, which can also be water and the like.
 bool isGoneThrough(std::string_view name);
 
+/// Whether a name is about where bodies pass: "walkable". Then a value that says no is a wall.
+bool isPassage(std::string_view name);
+
 /// Whether a layer is called "tiles", "main" or the like.
 bool isMainName(std::string_view name);
 

@@ -176,6 +176,14 @@ std::vector<MeantMap> meantMaps() {
        mapOf(has('a', "collides"), tiles("Ground", G) + tiles("Walls", D)), G},
       {"kind is solid", mapOf(has('a', "kind", "solid") + has('b', "kind", "sky"), tiles("Main", U) + tiles("Back", S)),
        U},
+      {"not walkable",
+       mapOf(has('a', "walkable", "false") + has('b', "walkable"), tiles("map", "aaaaaaaa/abbbbbba/abbbbbba/aaaaaaaa")),
+       W},
+      {"tiles of the class non_traversable",
+       mapOf(tile('a', none, "non_traversable") + tile('b', none, "traversable"),
+             tiles("floor", "aaaaaaaa/abbbbbba/abbbbbba/aaaaaaaa")),
+       W},
+      {"unwalkable", mapOf(none, tiles("walkable", F) + tiles("Unwalkable", W)), W},
       {"a property without a value", mapOf(has('a', "blocked", ""), tiles("Ground", G) + tiles("Walls", D)), G},
       {"what one walks on is no wall",
        mapOf(tile('a', none, "wall") + tile('b', none, "floor"), tiles("base", "aaaaaaaa/abbbbbba/abbbbbba/aaaaaaaa")),
@@ -252,6 +260,8 @@ std::vector<MeantMap> meantMaps() {
       {"one layer, water and spawns", mapOf(none, spawns + tiles("Water", S) + tiles("Tiles", P)), P},
 
       {"a foreground beside a background", mapOf(none, tiles("background", B) + tiles("foreground", G)), G},
+      {"a foreground with less in it than the background", mapOf(none, tiles("Background", S) + tiles("Foreground", P)),
+       P},
       {"spikes are no rival", mapOf(none, tiles("map", P) + tiles("spikes", "......../......../......../dddddddd")), P},
 
       // 6. Object layers with an area, and 7. tile layers, that nothing is said of: what is first offered.
