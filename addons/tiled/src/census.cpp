@@ -126,7 +126,7 @@ class Census {
     result.isBare = tile.objects.empty();
     result.passable = passableOf(tile.className, "", tile.properties);
     for (const CollisionObject& drawn : tile.objects) {
-      const auto kind = asAsked(drawn, options_).front().kind;
+      const auto kind = asAsked(drawn, options_).kind;
       if (kind == CollisionObject::Kind::unsupported || kind == CollisionObject::Kind::tile) continue;
       std::string why = passableOf(drawn.className, drawn.name, drawn.properties);
       result.isShaped = result.isShaped || why.empty();

@@ -74,22 +74,6 @@ CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint 
   return object;
 }
 
-/// Each segment of an open polyline becomes what lies up to so many pixels below it; right of it, if it is steep.
-std::vector<CollisionObject> thickened(CollisionObject line, double thickness) {
-  std::vector<CollisionObject> pieces;
-  const std::vector<DoublePoint> points = std::exchange(line.points, {});
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    const DoublePoint a = points[k - 1], b = points[k];
-    const bool isSteep = std::fabs(b.y - a.y) > std::fabs(b.x - a.x);
-    const DoublePoint out = isSteep ? DoublePoint{thickness, 0} : DoublePoint{0, thickness};
-    CollisionObject& piece = pieces.emplace_back(line);
-    piece.kind = Kind::polygon;
-    piece.thickness = thickness;
-    piece.points = {a, b, {b.x + out.x, b.y + out.y}, {a.x + out.x, a.y + out.y}};
-  }
-  return pieces;
-}
-
 }  // namespace
 
 bool isOpen(const std::vector<DoublePoint>& points) {
@@ -129,20 +113,20 @@ bool isLeftOut(const Options& options, const std::string& className, const std::
   });
 }
 
-std::vector<CollisionObject> asAsked(CollisionObject object, const Options& options) {
+CollisionObject asAsked(CollisionObject object, const Options& options) {
   const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
   if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
-  if (object.kind == Kind::unsupported) return {std::move(object)};
+  if (object.kind == Kind::unsupported) return object;
   if (isNotAsked) {
     leaveOut(object, "it is left out, as asked");
   } else if (object.hidden && options.visibleOnly) {
     leaveOut(object, "it is hidden");
   } else if (object.kind == Kind::polyline) {
-    if (options.polylineThickness > 0 && object.points.size() > 1)
-      return thickened(std::move(object), options.polylineThickness);
-    leaveOut(object, concat(kNoArea, ": close it, or --polyline-thickness PIXELS makes it thick"));
+    object.thickness = object.points.size() > 1 ? options.polylineThickness : 0;
+    if (object.thickness == 0)
+      leaveOut(object, concat(kNoArea, ": close it, or --polyline-thickness PIXELS makes it thick"));
   }
-  return {std::move(object)};
+  return object;
 }
 
 namespace {
@@ -178,36 +162,50 @@ std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
   return points;
 }
 
-}  // namespace
+/// What lies below each segment of an open polyline; right of it, if it is steep.
+std::vector<Outline> thickened(const std::vector<DoublePoint>& points, double thickness) {
+  std::vector<Outline> pieces;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const DoublePoint a = points[k - 1], b = points[k];
+    const bool isSteep = std::fabs(b.y - a.y) > std::fabs(b.x - a.x);
+    const DoublePoint out = isSteep ? DoublePoint{thickness, 0} : DoublePoint{0, thickness};
+    pieces.push_back({a, b, {b.x + out.x, b.y + out.y}, {a.x + out.x, a.y + out.y}});
+  }
+  return pieces;
+}
 
-std::vector<DoublePoint> outline(const CollisionObject& object) {
+std::vector<Outline> plainOutlines(const CollisionObject& object) {
   const DoublePoint size = object.size;
-  std::vector<DoublePoint> points;
+  const double radius = std::fmin(size.x, size.y) / 2;
   switch (object.kind) {
     case Kind::rectangle:
-      points = {{0, 0}, {size.x, 0}, size, {0, size.y}};
-      break;
+      return {{{0, 0}, {size.x, 0}, size, {0, size.y}}};
     case Kind::polygon:
-      points = object.points;
-      break;
-    case Kind::ellipse:
-      points = roundedBox(size, {size.x / 2, size.y / 2});
-      break;
-    case Kind::capsule: {
-      const double radius = std::fmin(size.x, size.y) / 2;
-      points = roundedBox(size, {radius, radius});
-      break;
-    }
+      return {object.points};
     case Kind::polyline:
+      return thickened(object.points, object.thickness);
+    case Kind::ellipse:
+      return {roundedBox(size, {size.x / 2, size.y / 2})};
+    case Kind::capsule:
+      return {roundedBox(size, {radius, radius})};
     case Kind::tile:
     case Kind::unsupported:
       break;
   }
-  for (DoublePoint& p : points) {
-    const DoublePoint q = turned(p, object.rotation);
-    p = {object.at.x + q.x, object.at.y + q.y};
+  return {};
+}
+
+}  // namespace
+
+std::vector<Outline> outlines(const CollisionObject& object) {
+  std::vector<Outline> all = plainOutlines(object);
+  for (Outline& outline : all) {
+    for (DoublePoint& p : outline) {
+      const DoublePoint q = turned(p, object.rotation);
+      p = {object.at.x + q.x, object.at.y + q.y};
+    }
   }
-  return points;
+  return all;
 }
 
 DoublePoint turned(DoublePoint p, double degrees) {

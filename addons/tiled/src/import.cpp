@@ -161,7 +161,7 @@ void Import::readObjectLayer(const Layer& layer, std::uint32_t index) {
     asked_.see(shape.object);
     Placer::Entry entry{0, blockOf(shape.object.className, layer), kNoTile, shape.object.id, index};
     constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
-    cutObject(shape.object, shape.outline, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
+    cutObject(shape.object, shape.outlines, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
       if (failed() || !spend(1)) return;
       entry.shape = placer_.shape(ring);
       placer_.place(cell, placer_.entry(entry));

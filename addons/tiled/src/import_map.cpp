@@ -158,13 +158,14 @@ class WholeImport {
         if (isTakenByItself(choice) && map.report.suggestions.empty())
           offer(map, choice.options, "hidden, and --visible leaves it out: " + choice.text, false);
     }
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.lines == 0 || layer.saying.says == Says::nothing || layer.isPassable || options_.polylineThickness > 0)
-        continue;
+    const auto lines = std::find_if(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& layer) {
+      return layer.lines > 0 && layer.saying.says != Says::nothing && !layer.isPassable;
+    });
+    if (lines != facts_.layers.end() && options_.polylineThickness == 0) {
       Options thick = options_;
       thick.objects = namesOfSaying(facts_);
       thick.polylineThickness = kLineThickness;
-      offer(map, std::move(thick), "object layer " + layer.name + ": " + layer.why + "; its polylines made thick");
+      offer(map, std::move(thick), "object layer " + lines->name + ": " + lines->why + "; its polylines made thick");
     }
     for (const Choice& choice : choices_) offer(map, choice.options, choice.text);
   }

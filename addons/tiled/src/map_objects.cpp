@@ -52,23 +52,22 @@ std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source,
   frame.shift = {tileset->offset.x * frame.scale.x, tileset->offset.y * frame.scale.y};
   const DoublePoint part = anchor(tileset->alignment);
   std::vector<MapShape> shapes;
-  std::vector<CollisionObject> all;
   for (CollisionObject& drawn : tile.objects) {
     drawn.hidden |= object.hidden;
-    for (CollisionObject& piece : asAsked(std::move(drawn), options)) all.push_back(std::move(piece));
-  }
-  for (const CollisionObject& drawn : all) {
+    drawn = asAsked(std::move(drawn), options);
     if (!budget.shape(drawn.points.size())) break;
-    MapShape& shape = shapes.emplace_back(MapShape{drawn, outline(drawn)});
+    MapShape& shape = shapes.emplace_back(MapShape{drawn, outlines(drawn)});
     shape.object.id = object.id;
     for (const std::string& name : {object.className, tile.className}) {
       if (shape.object.className.empty()) shape.object.className = name;
     }
     if (drawn.kind == Kind::tile) leaveOut(shape.object, "a shape of its tile is a tile object");
-    for (DoublePoint& p : shape.outline) {
-      const DoublePoint inBox = frame.toCell(p);
-      const DoublePoint q = turned({inBox.x - part.x * size.x, part.y * size.y - inBox.y}, object.rotation);
-      p = {object.at.x + q.x, -(object.at.y + q.y)};
+    for (Outline& outline : shape.outlines) {
+      for (DoublePoint& p : outline) {
+        const DoublePoint inBox = frame.toCell(p);
+        const DoublePoint q = turned({inBox.x - part.x * size.x, part.y * size.y - inBox.y}, object.rotation);
+        p = {object.at.x + q.x, -(object.at.y + q.y)};
+      }
     }
   }
   return shapes;
@@ -85,15 +84,15 @@ std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Opt
     if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {
       continue;
     }
-    for (CollisionObject& piece : asAsked(std::move(object), options)) {
-      if (piece.kind == Kind::tile) {
-        for (MapShape& shape : shapesOf(piece, source, options, budget)) shapes.push_back(std::move(shape));
-        continue;
-      }
-      MapShape& shape = shapes.emplace_back(MapShape{std::move(piece), {}});
-      shape.outline = outline(shape.object);
-      for (DoublePoint& p : shape.outline) p.y = -p.y;
+    object = asAsked(std::move(object), options);
+    if (object.kind == Kind::tile) {
+      for (MapShape& shape : shapesOf(object, source, options, budget)) shapes.push_back(std::move(shape));
+      continue;
     }
+    MapShape& shape = shapes.emplace_back(MapShape{std::move(object), {}});
+    shape.outlines = outlines(shape.object);
+    for (Outline& outline : shape.outlines)
+      for (DoublePoint& p : outline) p.y = -p.y;
   }
   const std::string ofLayer = classOf(layer.node);
   for (MapShape& shape : shapes) {

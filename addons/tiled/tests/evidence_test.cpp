@@ -80,29 +80,6 @@ TEST(TiledEvidence, WhereBodiesWalkIsNoGround) {
   EXPECT_TRUE(import(meant::tiles("grass", kFull) + meant::tiles("walkable", kHills)).placements.empty());
 }
 
-/// A chain of edges is all that the author drew.
-TEST(TiledEvidence, PolylinesAloneAreOffered) {
-  const std::string chain = "<object id='1' x='0' y='32'><polyline points='0,0 64,0 64,16 128,16'/></object>";
-  const auto map = import(meant::tiles("picture", kFull) + meant::objects("collision", chain));
-  EXPECT_TRUE(map.placements.empty());
-  ASSERT_FALSE(map.report.suggestions.empty());
-  EXPECT_EQ(offersOf(map).front(), "--objects collision --polyline-thickness 4");
-  Options asked{.objects = std::vector<std::string>{"collision"}};
-  EXPECT_EQ(import(meant::objects("collision", chain + meant::box(0, 0, 1, 1)), asked).report.partial,
-            "object layer collision, of which 1 open polyline is left out")
-      << "also if one has chosen";
-  asked.polylineThickness = 2;
-  EXPECT_EQ(import(meant::objects("collision", chain), asked).report.partial, "");
-}
-
-TEST(TiledEvidence, WhatWasAskedForAndIsNotThereIsMissing) {
-  const std::string layer = meant::tiles("a", kHills), solid = meant::tile('a', property("kind", "rock"));
-  EXPECT_EQ(
-      import(layer, {.solidIf = {"kind=rock", "kind=ice", "colides"}, .leaveOut = {"lava"}}, solid).report.partial,
-      "nothing has what was asked for: colides, kind=ice, lava");
-  EXPECT_EQ(import(layer, {.solidIf = {"kind"}}, solid).report.partial, "");
-}
-
 TEST(TiledEvidence, GroundIsNotMixedWithCollision) {
   const std::string walked = "bbbbbbbb/bbbb..../bbbbbbbb/bbbbb...";
   for (const std::string& ground : {kFull, walked}) {

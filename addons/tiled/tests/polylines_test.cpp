@@ -1,5 +1,5 @@
 // Open polylines become thin polygons, if that is asked for.
-#include "maps.h"
+#include "meant_maps.h"
 
 #include <cmath>
 #include <limits>
@@ -14,6 +14,12 @@ std::string polyline(const std::string& points) {
 Options thick(double pixels) {
   const Options options{.polylineThickness = pixels};
   return options;
+}
+
+ImportedMap importMeant(const std::string& layers, const Options& options = {}) {
+  return mustImportFiles({{"maps/test.tmx", "<map width='8' height='4' tilewidth='16' tileheight='16'>" +
+                                                meant::mapOf("", layers) + "</map>"}},
+                         options);
 }
 
 TEST(TiledPolylines, ThePolygonLiesBelowThePolyline) {
@@ -50,6 +56,23 @@ TEST(TiledPolylines, OnlyOnRequestAndTheReportSaysHow) {
     EXPECT_THAT(noteTexts(map), ElementsAre(how));
   }
   EXPECT_THAT(noteTexts(importTile(polyline("0,0"), thick(4))), ElementsAre(how)) << "it is a point";
+}
+
+/// A chain of edges is all that the author drew.
+TEST(TiledPolylines, AloneTheyAreOffered) {
+  const std::string chain = "<object id='1' x='0' y='32'><polyline points='0,0 64,0 64,16 128,16'/></object>";
+  const auto map =
+      importMeant(meant::tiles("picture", "bbbbbbbb/bbbbbbbb/bbbbbbbb/bbbbbbbb") + meant::objects("collision", chain));
+  EXPECT_TRUE(map.placements.empty());
+  ASSERT_FALSE(map.report.suggestions.empty());
+  EXPECT_THAT(map.report.suggestions.front().arguments,
+              ElementsAre("--objects", "collision", "--polyline-thickness", "4"));
+  Options asked{.objects = std::vector<std::string>{"collision"}};
+  EXPECT_EQ(importMeant(meant::objects("collision", chain + meant::box(0, 0, 1, 1)), asked).report.partial,
+            "object layer collision, of which 1 open polyline is left out")
+      << "also if one has chosen";
+  asked.polylineThickness = 2;
+  EXPECT_EQ(importMeant(meant::objects("collision", chain), asked).report.partial, "");
 }
 
 TEST(TiledPolylines, ThinnerThanTheToleranceItStaysAsDrawn) {
