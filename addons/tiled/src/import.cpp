@@ -157,7 +157,7 @@ void Import::readHead() {
 
 void Import::readObjectLayer(const Layer& layer, std::uint32_t index) {
   std::vector<Note>& notes = map_.report.layers[index].notes;
-  for (const MapShape& shape : objectsOf(*source_, layer, options_, budget_)) {
+  readObjects(*source_, layer, options_, budget_, [&](const MapShape& shape) {
     asked_.see(shape.object);
     Placer::Entry entry{0, blockOf(shape.object.className, layer), kNoTile, shape.object.id, index};
     constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
@@ -166,7 +166,7 @@ void Import::readObjectLayer(const Layer& layer, std::uint32_t index) {
       entry.shape = placer_.shape(ring);
       placer_.place(cell, placer_.entry(entry));
     });
-  }
+  });
   checkBudget(layer.node);
 }
 

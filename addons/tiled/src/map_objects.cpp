@@ -75,30 +75,29 @@ std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source,
 
 }  // namespace
 
-std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Options& options, Budget& budget) {
-  std::vector<MapShape> shapes;
+void readObjects(MapSource& source, const Layer& layer, const Options& options, Budget& budget, const ShapeSink& sink) {
+  const std::string ofLayer = classOf(layer.node);
+  const auto give = [&](MapShape shape) {
+    if (shape.object.className.empty()) shape.object.className = ofLayer;
+    sink(shape);
+  };
   for (const auto node : layer.node.children("object")) {
     if (layer.isByProperty && !firstFit(options.solidIf, propertiesOf(node))) continue;
     CollisionObject object = readObject(*source.file, node, layer.offset, source.templates);
-    if (source.file->failed()) return {};
+    if (source.file->failed()) return;
     if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {
       continue;
     }
     object = asAsked(std::move(object), options);
     if (object.kind == Kind::tile) {
-      for (MapShape& shape : shapesOf(object, source, options, budget)) shapes.push_back(std::move(shape));
+      for (MapShape& shape : shapesOf(object, source, options, budget)) give(std::move(shape));
       continue;
     }
-    MapShape& shape = shapes.emplace_back(MapShape{std::move(object), {}});
-    shape.outlines = outlines(shape.object);
-    for (Outline& outline : shape.outlines)
+    std::vector<Outline> all = outlines(object);
+    for (Outline& outline : all)
       for (DoublePoint& p : outline) p.y = -p.y;
+    give({std::move(object), std::move(all)});
   }
-  const std::string ofLayer = classOf(layer.node);
-  for (MapShape& shape : shapes) {
-    if (shape.object.className.empty()) shape.object.className = ofLayer;
-  }
-  return shapes;
 }
 
 }  // namespace lgs::tiled

@@ -6,6 +6,8 @@
 #include "map_source.h"
 #include "pixel_grid.h"
 
+#include <functional>
+
 namespace lgs::tiled {
 
 /// Puts an object on the lattice and cuts it along the grid. Its outlines are in pixels from the lower left corner of its
@@ -38,7 +40,9 @@ struct MapShape {
   std::vector<Outline> outlines;  ///< pixels from the map's upper left corner, y up; none for Kind::unsupported
 };
 
-/// All shapes of an object layer, in the file's order; those for which the budget is enough.
-std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Options& options, Budget& budget);
+using ShapeSink = std::function<void(const MapShape& shape)>;
+
+/// Gives the shapes of an object layer one by one, in the file's order; those for which the budget is enough.
+void readObjects(MapSource& source, const Layer& layer, const Options& options, Budget& budget, const ShapeSink& sink);
 
 }  // namespace lgs::tiled

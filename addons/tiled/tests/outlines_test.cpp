@@ -122,9 +122,9 @@ TEST(TiledOutlines, OfWhatHasNone) {
   CollisionObject object;
   object.kind = CollisionObject::Kind::unsupported;
   object.size = {32, 32};
-  EXPECT_TRUE(outline(object).empty());
+  EXPECT_TRUE(outlines(object).empty());
   object.kind = CollisionObject::Kind::rectangle;
-  EXPECT_EQ(outline(object).size(), 4U);
+  EXPECT_EQ(outlines(object).at(0).size(), 4U);
 }
 
 TEST(TiledOutlines, WhatIsLeftOutAndWhy) {
