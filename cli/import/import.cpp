@@ -52,7 +52,8 @@ Status run(const ImportArguments& arguments) {
   const bool isEmpty = map->placements.empty() && !arguments.allowEmpty;
   Status status = isEmpty ? Status::badInput : write(arguments.trace, printTrace(traceOf(*map)));
   const std::string command = "lgs import " + text::shellWord(arguments.map) + arguments.hintArguments;
-  const std::string report = tiled::toText(map->report, command), summary = summaryOf(report);
+  const std::string report = withCommands(tiled::toText(map->report, command), arguments.map);
+  const std::string summary = summaryOf(report);
   std::FILE* const out = arguments.trace == "-" || isEmpty ? stderr : stdout;
   fmt::print(out, "{}", arguments.report.empty() ? report : summary);
   if (!arguments.report.empty()) status = worst(status, write(arguments.report, report));
@@ -89,9 +90,9 @@ void addImport(CLI::App& app, Action& chosen) {
           "--svg", arguments->svg,
           "Draw the imported world to this file; and beside it what the\nmap may mean instead, where that differs")
       ->option_text("FILE");
-  command.add_flag(
-      "--strict", arguments->strict,
-      "The exit status is 3 if something that says that it is solid was\nnot taken, or a tileset is missing");
+  command.add_flag("--strict", arguments->strict,
+                   "The exit status is 3 if something that says that it is solid was\n"
+                   "not taken, or if what a map or you name is not there");
   command.add_flag("--allow-empty", arguments->allowEmpty,
                    "Accept a map from which nothing comes out; otherwise there is\nno trace, and the exit status is 2");
   addImportOptions(command, arguments->options);

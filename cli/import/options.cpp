@@ -82,8 +82,8 @@ void addShapeOptions(CLI::App& command, tiled::Options& options) {
       ->option_text("NAME[=VALUE]");
   addReal(
       command, "--polyline-thickness", [&options](double pixels) { options.polylineThickness = pixels; }, {0, 1e6},
-      "Make thin polygons of open polylines that are one-way (a class,\n"
-      "name or property says so); what lies up to so many pixels below\nthem is solid")
+      "Make thin polygons of open polylines: what lies up to so many\n"
+      "pixels below them is solid, or right of them where they are steep")
       ->option_text("PIXELS");
 }
 

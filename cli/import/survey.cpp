@@ -65,7 +65,7 @@ bool isNoMap(const fs::path& path, const MapRow& row) {
 
 /// The last words of a complaint, without a command that follows: so that equal reasons can be counted.
 std::string reasonIn(const std::string& complaint) {
-  const std::string line = complaint.substr(0, complaint.find('\n'));
+  const std::string line = complaint.substr(0, complaint.find(": lgs import "));
   const std::size_t colon = line.rfind(": ", line.size() - std::min<std::size_t>(line.size(), 2));
   return colon == std::string::npos ? line : line.substr(colon + 2);
 }

@@ -225,9 +225,23 @@ TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   }
   expect("import m.tmx --solid-if Hards", 2,
          "note: no tile, tile layer or object has a property 'Hards'; there is 'hard'");
+  expect("import m.tmx --solid-if hard --solid-if Hards --strict -o m.trace", 3,
+         "IN PART: nothing has what was asked for: Hards\n");
   // A hint keeps what was asked for.
   expect("import m.tmx --layer l --visible --no-objects", 2,
          "  or: lgs import m.tmx --layer l --solid --no-objects --visible  (");
+}
+
+TEST_F(Command, AFileThatMayNotBeReadIsNamedWithTheCommandThatReadsIt) {
+  const std::string after = "'/></map>", before =
+                                             "<map width='2' height='1' tilewidth='16' tileheight='16'><layer "
+                                             "name='solid' width='2' height='1'><data encoding='csv'>1,0</data>"
+                                             "</layer><tileset firstgid='1' source='";
+  put("m.tmx", before + "/no/a.tsx" + after);
+  expect("import m.tmx -o m.trace --strict", 3, "files may lie anywhere: lgs import m.tmx --files-anywhere\n");
+  fs::create_directories(folder_ / "game/.git");
+  put("game/m.tmx", before + "../b c/a.tsx" + after);
+  expect("import game/m.tmx -o m.trace", 0, "If the map can be trusted: lgs import game/m.tmx --files-in .\n");
 }
 
 TEST_F(Command, HintsCanBeGivenToAShell) {

@@ -120,6 +120,20 @@ std::vector<std::string> AskedNames::notes() const {
   return result;
 }
 
+std::string AskedNames::notThere() const {
+  std::vector<std::string> names;
+  const auto add = [&](const Names& of, const std::string& before) {
+    for (const std::string& name : of.asked)
+      if (!of.seen.contains(name)) names.push_back(before + name);
+  };
+  add(properties_, "");
+  for (const auto& [name, values] : values_)
+    if (properties_.seen.contains(name)) add(values, name + "=");
+  add(leftOut_, "");
+  add(tilesets_, "");
+  return names.empty() ? "" : "nothing has what was asked for: " + listed(names);
+}
+
 bool areSimilar(std::string_view a, std::string_view b) {
   const std::string x = lower(a), y = lower(b);
   const std::size_t most = std::min(x.size(), y.size());

@@ -23,6 +23,9 @@ class AskedNames {
   /// A note for each name or value that nothing has which was seen.
   std::vector<std::string> notes() const;
 
+  /// Those that decide on what is solid: "nothing has what was asked for: colides, kind=rock"; or "".
+  std::string notThere() const;
+
  private:
   struct Names {
     std::set<std::string> asked = {}, seen = {};  // nothing is seen if nothing is asked for

@@ -17,7 +17,9 @@ constexpr std::size_t kMostKnown = 64;  // rules that are counted; so a map of n
 
 /// The rule that takes tiles with a property; empty if it says nothing.
 std::pair<std::string, Saying> ruleOf(const std::string& name, const std::string& value) {
-  if (name.find('=') != std::string::npos || !saysYes(value)) return {};
+  if (name.find('=') != std::string::npos) return {};
+  if (!saysYes(value))
+    return isPassage(name) ? std::pair(name + "=" + value, Saying{Says::collision}) : std::pair<std::string, Saying>();
   if (const Saying said = sayingOfProperty(name); said.says != Says::nothing) return {name, said};
   const Saying said = value.size() > kMostValue ? Saying{} : saying(value);
   return {said.says == Says::nothing ? "" : name + "=" + value, said};

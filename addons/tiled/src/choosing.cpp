@@ -48,23 +48,25 @@ Options chosen(Options options, const Suggestion& suggestion) {
 }
 
 const LayerFacts* onlyLayer(const Facts& facts) {
-  Layers all, called;
+  Layers all, called, fore;
   std::uint64_t passedOver = 0;  // tiles of the largest layer that its name rules out, and that is no picture
   for (const LayerFacts& layer : facts.layers) {
     if (layer.kind == LayerKind::objects) {
       const bool areBoxes = layer.objects > layer.figures && !areThings(layer);
       if (layer.saying.says == Says::nothing && areBoxes) return nullptr;
-    } else if (layer.tiles > 0 && layer.isForOther) {
-      if (!isFull(layer)) passedOver = std::max(passedOver, layer.tiles);
-    } else if (layer.tiles > 0) {
+    } else if (layer.isForOther) {
+      if (!isFull(layer) && !layer.isPassable) passedOver = std::max(passedOver, layer.tiles);
+      if (isForeground(layer.name)) fore.push_back(&layer);
+    } else if (!isTiny(layer)) {
       if (layer.isDrawn) return nullptr;
       all.push_back(&layer);
       if (isMainName(layer.name)) called.push_back(&layer);
     }
   }
-  const Layers& some = all.size() > 1 ? called : all;
+  const Layers& some = all.empty() ? fore : all.size() > 1 ? called : all;
   const LayerFacts* const only = some.size() == 1 ? some.front() : nullptr;
-  const bool isIt = only && only->bare > 0 && 2 * only->tiles <= only->cells && only->tiles >= passedOver;
+  const bool isRivalled = only && !only->isForOther && only->tiles < passedOver;
+  const bool isIt = only && only->bare > 0 && 2 * only->tiles <= only->cells && !isRivalled;
   return isIt && !isTiny(*only) ? only : nullptr;
 }
 
@@ -156,24 +158,34 @@ Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
           "the same with object layer " + layer.name};
 }
 
-/// Open polylines have no area. Those that are one-way can be made thick.
+/// Beside layers that were taken as a whole another one may be meant as well, unless its name says what it is. Water
+/// often stops bodies that walk.
+bool isPlainLayer(const LayerFacts& layer) {
+  return layer.kind == LayerKind::tiles && layer.bare > 0 && !layer.isOnlySeen && !layer.isDrawn &&
+         (!layer.isForOther || isGoneThrough(layer.name));
+}
+
+/// Open polylines have no area, but can be made thick.
 Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options& options) {
-  constexpr double kThickness = 4;  // pixels
   Options thick = choosingArguments(choice.options) == choosingArguments(options) ? options : choice.options;
-  thick.polylineThickness = kThickness;
-  return {"object layer " + layer.name + ", of which " + counted(layer.lines, "open polyline") +
-              (layer.lines == 1 ? " is" : " are") + " left out",
-          std::move(thick), "the same with the polylines that are one-way"};
+  thick.polylineThickness = kLineThickness;
+  return {linesLeftOut(layer.name, layer.lines), std::move(thick), "the same with its polylines made thick"};
 }
 
 }  // namespace
+
+std::string linesLeftOut(const std::string& layer, std::uint64_t lines) {
+  return concat("object layer ", layer, ", of which ", counted(lines, "open polyline"), lines == 1 ? " is" : " are",
+                " left out");
+}
 
 std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
   std::vector<Missed> result;
   for (const LayerFacts& layer : facts.layers) {
     const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
     const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
-    if (!says && !(areBoxes && layer.classes.empty())) continue;
+    const bool isPlain = !choice.options.layers.empty() && isPlainLayer(layer);
+    if (!says && !isPlain && !(areBoxes && layer.classes.empty())) continue;
     if (says && isOfObjects && !isDrawnByHand(layer)) continue;
     const bool due = says && isDue(layer, choice, facts.isLdtk);
     const auto add = [&](Missed one, bool isPart = true) {

@@ -59,21 +59,6 @@ void merge(pugi::xml_node instance, pugi::xml_node origin, pugi::xml_document& m
   for (const auto property : instance.child("properties").children()) properties.append_copy(property);
 }
 
-/// Lets an open polyline run from left to right. Returns whether it does, and is nowhere upright.
-bool runsAcross(std::vector<DoublePoint>& points) {
-  if (points.size() > 1 && points.front().x > points.back().x) std::reverse(points.begin(), points.end());
-  const auto turnsBack = [](DoublePoint a, DoublePoint b) { return a.x >= b.x; };
-  return points.size() > 1 && std::adjacent_find(points.begin(), points.end(), turnsBack) == points.end();
-}
-
-/// An open polyline becomes what lies up to so many pixels below it.
-void thicken(CollisionObject& object, double thickness) {
-  std::vector<DoublePoint>& points = object.points;
-  object.kind = Kind::polygon;
-  object.thickness = thickness;
-  for (std::size_t k = points.size(); k-- > 0;) points.push_back({points[k].x, points[k].y + thickness});
-}
-
 CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint offset) {
   CollisionObject object;
   object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
@@ -86,25 +71,7 @@ CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint 
   object.gid = static_cast<std::uint32_t>(file.integer(node, "gid", 0, 0, kMostId));
   object.hidden = !node.attribute("visible").as_bool(true);
   readKind(file, node, object);
-  object.oneWay = (object.kind == Kind::polyline || object.kind == Kind::tile) && saysOneWay(node);
   return object;
-}
-
-/// An open polyline is left out, with what would help; or it becomes a thin polygon.
-void settlePolyline(CollisionObject& object, double thickness) {
-  const std::string noArea = "an open polyline has no area: ";
-  const bool isAcross = runsAcross(object.points);
-  if (!object.oneWay && isAcross && thickness > 0) {
-    leaveOut(object, noArea + "close it, or give it the class one-way, and it becomes a thin polygon");
-  } else if (!object.oneWay) {
-    leaveOut(object, noArea + "close it, or draw a polygon instead");
-  } else if (!isAcross) {
-    leaveOut(object, noArea + "close it, or let it run from left to right, nowhere upright, for a thin polygon");
-  } else if (thickness == 0) {
-    leaveOut(object, noArea + "as it is one-way, --polyline-thickness PIXELS makes a thin polygon");
-  } else {
-    thicken(object, thickness);
-  }
 }
 
 }  // namespace
@@ -155,7 +122,9 @@ CollisionObject asAsked(CollisionObject object, const Options& options) {
   } else if (object.hidden && options.visibleOnly) {
     leaveOut(object, "it is hidden");
   } else if (object.kind == Kind::polyline) {
-    settlePolyline(object, options.polylineThickness);
+    object.thickness = object.points.size() > 1 ? options.polylineThickness : 0;
+    if (object.thickness == 0)
+      leaveOut(object, concat(kNoArea, ": close it, or --polyline-thickness PIXELS makes it thick"));
   }
   return object;
 }
@@ -193,36 +162,50 @@ std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
   return points;
 }
 
-}  // namespace
+/// What lies below each segment of an open polyline; right of it, if it is steep.
+std::vector<Outline> thickened(const std::vector<DoublePoint>& points, double thickness) {
+  std::vector<Outline> pieces;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const DoublePoint a = points[k - 1], b = points[k];
+    const bool isSteep = std::fabs(b.y - a.y) > std::fabs(b.x - a.x);
+    const DoublePoint out = isSteep ? DoublePoint{thickness, 0} : DoublePoint{0, thickness};
+    pieces.push_back({a, b, {b.x + out.x, b.y + out.y}, {a.x + out.x, a.y + out.y}});
+  }
+  return pieces;
+}
 
-std::vector<DoublePoint> outline(const CollisionObject& object) {
+std::vector<Outline> plainOutlines(const CollisionObject& object) {
   const DoublePoint size = object.size;
-  std::vector<DoublePoint> points;
+  const double radius = std::fmin(size.x, size.y) / 2;
   switch (object.kind) {
     case Kind::rectangle:
-      points = {{0, 0}, {size.x, 0}, size, {0, size.y}};
-      break;
+      return {{{0, 0}, {size.x, 0}, size, {0, size.y}}};
     case Kind::polygon:
-      points = object.points;
-      break;
-    case Kind::ellipse:
-      points = roundedBox(size, {size.x / 2, size.y / 2});
-      break;
-    case Kind::capsule: {
-      const double radius = std::fmin(size.x, size.y) / 2;
-      points = roundedBox(size, {radius, radius});
-      break;
-    }
+      return {object.points};
     case Kind::polyline:
+      return thickened(object.points, object.thickness);
+    case Kind::ellipse:
+      return {roundedBox(size, {size.x / 2, size.y / 2})};
+    case Kind::capsule:
+      return {roundedBox(size, {radius, radius})};
     case Kind::tile:
     case Kind::unsupported:
       break;
   }
-  for (DoublePoint& p : points) {
-    const DoublePoint q = turned(p, object.rotation);
-    p = {object.at.x + q.x, object.at.y + q.y};
+  return {};
+}
+
+}  // namespace
+
+std::vector<Outline> outlines(const CollisionObject& object) {
+  std::vector<Outline> all = plainOutlines(object);
+  for (Outline& outline : all) {
+    for (DoublePoint& p : outline) {
+      const DoublePoint q = turned(p, object.rotation);
+      p = {object.at.x + q.x, object.at.y + q.y};
+    }
   }
-  return points;
+  return all;
 }
 
 DoublePoint turned(DoublePoint p, double degrees) {

@@ -34,9 +34,11 @@ struct CollisionObject {
   std::uint32_t gid = 0;            ///< for Kind::tile, with the flags for flipping
   Template* gidFrom = nullptr;      ///< the template whose tileset the gid is of; null: it is of the map's
   bool hidden = false;
-  bool oneWay = false;   ///< something says so, be it of the object or of what it belongs to
-  double thickness = 0;  ///< pixels, of a polygon that was an open polyline
+  double thickness = 0;  ///< pixels, of an open polyline
 };
+
+/// How the reason begins why an open polyline is left out.
+inline constexpr std::string_view kNoArea = "an open polyline has no area";
 
 /// Whether a polyline does not end where it began; otherwise it is a polygon.
 bool isOpen(const std::vector<DoublePoint>& points);
@@ -52,13 +54,15 @@ bool isLeftOut(const Options& options, const std::string& className, const std::
                const Properties& properties);
 
 /// The object as the options want it: if names say what its block is, its class is its name. One that is hidden may be
-/// left out. An open polyline is left out as well, or becomes a thin polygon. What is left out is of Kind::unsupported,
-/// with the reason.
+/// left out. An open polyline is left out as well, or gets its thickness. What is left out is of Kind::unsupported, with
+/// the reason.
 CollisionObject asAsked(CollisionObject object, const Options& options);
 
-/// The outline of an object, in pixels from where it is measured, y down. It may run either way round. It is empty for
-/// Kind::polyline, Kind::tile and Kind::unsupported.
-std::vector<DoublePoint> outline(const CollisionObject& object);
+using Outline = std::vector<DoublePoint>;
+
+/// The outline of an object, in pixels from where it is measured, y down; of an open polyline one for each segment. They
+/// may run either way round. There are none for Kind::tile and Kind::unsupported.
+std::vector<Outline> outlines(const CollisionObject& object);
 
 /// A point turned around the origin by an angle in degrees, clockwise where y points down. Quarter turns are exact.
 DoublePoint turned(DoublePoint p, double degrees);

@@ -20,6 +20,15 @@ std::vector<std::string> namesOf(const Layers& layers) {
   return names;
 }
 
+/// The object layers that say that they are solid.
+Layers sayingObjects(const Facts& facts) {
+  Layers layers;
+  for (const LayerFacts& layer : facts.layers) {
+    if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) layers.push_back(&layer);
+  }
+  return layers;
+}
+
 /// Finds the choices of a map.
 class Chooser {
  public:
@@ -88,7 +97,8 @@ class Chooser {
       options.objects = namesOf(saying(LayerKind::objects, Says::collision));
       if (options.objects->empty()) options.objects.reset();
     }
-    const std::string text = some.size() < all.size() ? reasons(some) : "IntGrid layers: " + listed(namesOf(some));
+    std::string text = some.size() < all.size() ? reasons(some) : "IntGrid layers: " + listed(namesOf(some));
+    if (!options.objects) join(text, reasons(sayingObjects(facts_)));
     const auto without = [&](Evidence evidence, const std::vector<std::string>& values) {
       Options rest = options;
       rest.leaveOut.insert(rest.leaveOut.end(), values.begin(), values.end());
@@ -109,8 +119,6 @@ class Chooser {
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.kind != kind || layer.saying.says != says || layer.isPassable || isMixed(layer)) continue;
       const bool isThere = kind == LayerKind::objects ? isDrawnByHand(layer) : layer.tiles > 0;
-      const bool isThing = facts_.isLdtk && kind == LayerKind::objects && !isDrawnGround(layer.saying);
-      if (isThing && says == Says::ground) continue;
       if (isThere && !(kind == LayerKind::tiles && (isFull(layer) || isWalkedOn(layer)))) layers.push_back(&layer);
     }
     return layers;
@@ -119,14 +127,16 @@ class Chooser {
   /// In LDtk each kind of entity is a layer of its own.
   bool isMixed(const LayerFacts& layer) const { return !facts_.isLdtk && layer.isMixed(); }
 
-  /// A floor beside walls is what one walks on, seen from above, unless it is smaller than they are.
+  /// Floors beside walls are what one walks on, seen from above, unless they are smaller together.
   bool isWalkedOn(const LayerFacts& floor) const {
     if (!floor.saying.isFloor()) return false;
-    std::uint64_t walls = 0;
+    std::uint64_t walls = 0, floors = 0;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind == LayerKind::tiles && layer.saying.isWall() && !isFull(layer)) walls += layer.tiles;
+      if (layer.kind != LayerKind::tiles) continue;
+      if (layer.saying.isWall() && !isFull(layer)) walls += layer.tiles;
+      if (layer.saying.isFloor()) floors += layer.tiles;
     }
-    return walls > 0 && floor.tiles > walls;
+    return walls > 0 && floors > walls;
   }
 
   /// All that says collision, each tile by its own shape or as a square; then each kind of it by itself.
@@ -259,7 +269,8 @@ class Chooser {
 
   void addObjectLayers(bool ofThings, bool haveFigures) {
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != LayerKind::objects || layer.objects == 0 || areThings(layer) != ofThings) continue;
+      const bool areOthers = layer.saying.says == Says::nothing && areThings(layer);
+      if (layer.kind != LayerKind::objects || layer.objects == 0 || areOthers != ofThings) continue;
       if ((layer.saying.says != Says::nothing && isDrawnByHand(layer)) || (layer.figures > 0) != haveFigures) continue;
       Options options = options_;
       options.objects = {layer.name};
@@ -274,7 +285,7 @@ class Chooser {
     }
   }
 
-  /// The likeliest first: what is no background, and does not fill the map; of these what is called "tiles" or the
+  /// The likeliest first: what does not fill the map, and is no background; of these what is called "tiles" or the
   /// like, and then the largest.
   void addTileLayers() {
     Layers layers;
@@ -283,7 +294,7 @@ class Chooser {
       if (layer.kind == LayerKind::tiles && layer.bare > 0 && !isCovered) layers.push_back(&layer);
     }
     const auto key = [](const LayerFacts* layer) {
-      return std::tuple(isTiny(*layer), layer->isForOther, isFull(*layer), !isMainName(layer->name), -layer->share());
+      return std::tuple(isFull(*layer), isTiny(*layer), layer->isForOther, !isMainName(layer->name), -layer->share());
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
     for (const LayerFacts* layer : layers) {
@@ -314,13 +325,7 @@ class Chooser {
 
 }  // namespace
 
-std::vector<std::string> namesOfSaying(const Facts& facts) {
-  Layers layers;
-  for (const LayerFacts& layer : facts.layers) {
-    if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) layers.push_back(&layer);
-  }
-  return namesOf(layers);
-}
+std::vector<std::string> namesOfSaying(const Facts& facts) { return namesOf(sayingObjects(facts)); }
 
 std::vector<Choice> choices(const Facts& facts, const Options& options) { return Chooser(facts, options).run(); }
 

@@ -31,6 +31,12 @@ struct Choice {
 /// Of one choice. Each name is looked for in each layer. More layers than that are said to be missed.
 inline constexpr std::size_t kMostRules = 16, kMostLayers = 64;
 
+/// "object layer Walls, of which 2 open polylines are left out"
+std::string linesLeftOut(const std::string& layer, std::uint64_t lines);
+
+/// Of open polylines, if it is offered, pixels.
+inline constexpr double kLineThickness = 4;
+
 using Layers = std::vector<const LayerFacts*>;
 
 /// Whether an object layer has more than figures, which are things with pictures.
@@ -40,7 +46,7 @@ inline bool isDrawnByHand(const LayerFacts& layer) { return layer.objects > laye
 inline bool areThings(const LayerFacts& layer) { return layer.isForOther || 2 * layer.named > layer.objects; }
 
 /// The only tile layer that could be solid, in a map that says nothing, or the only one of several that is called
-/// "level" or the like; or null. It must be half empty: a layer that fills the map is a picture, or its tiles mean
+/// "level" or the like, or a foreground beside nothing but backgrounds; or null. It must be half empty: a layer that fills the map is a picture, or its tiles mean
 /// different things. If a layer that its name rules out has more in it, or it has next to nothing, nobody can tell.
 const LayerFacts* onlyLayer(const Facts& facts);
 

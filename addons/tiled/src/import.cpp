@@ -157,16 +157,16 @@ void Import::readHead() {
 
 void Import::readObjectLayer(const Layer& layer, std::uint32_t index) {
   std::vector<Note>& notes = map_.report.layers[index].notes;
-  for (const MapShape& shape : objectsOf(*source_, layer, options_, budget_)) {
+  readObjects(*source_, layer, options_, budget_, [&](const MapShape& shape) {
     asked_.see(shape.object);
     Placer::Entry entry{0, blockOf(shape.object.className, layer), kNoTile, shape.object.id, index};
     constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
-    cutObject(shape.object, shape.outline, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
+    cutObject(shape.object, shape.outlines, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
       if (failed() || !spend(1)) return;
       entry.shape = placer_.shape(ring);
       placer_.place(cell, placer_.entry(entry));
     });
-  }
+  });
   checkBudget(layer.node);
 }
 
@@ -295,6 +295,7 @@ void Import::finish() {
   for (TileReport& tile : report.tiles) sort(tile.notes);
   for (LayerReport& layer : report.layers) sort(layer.notes);
   blocks_.report(map_);
+  join(report.partial, asked_.notThere());
   for (std::string& note : asked_.notes()) report.notes.push_back(std::move(note));
 }
 

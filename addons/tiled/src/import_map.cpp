@@ -41,12 +41,15 @@ class WholeImport {
     if (error_) return tl::unexpected(*error_);
     Imported map = take();
     if (!map) return map;
+    if (missing_) join(map->report.partial, missing_->second);
     if (map->placements.empty()) {
       if (!leaveChoice(options_)) takeCensus();
       offerAll(*map);
     } else if (taken_) {
       tellChoice(map->report);
       offerMissed(*map);
+    } else {
+      tellLines(map->report);
     }
     return map;
   }
@@ -69,14 +72,24 @@ class WholeImport {
       if (!isTakenByItself(choice)) continue;
       Imported map = import(choice.options, budget_);
       if (!map) return map;
-      if (!map->placements.empty()) {
-        taken_ = choice;
-        return map;
-      }
+      if (map->placements.empty() || isOutweighed(choice, map->report)) continue;
+      taken_ = choice;
+      return map;
     }
     Imported map = import(options_, budget_);
     if (map && leaveChoice(options_)) forget(*map);
     return map;
+  }
+
+  static bool isLittle(const Report& report) {
+    return !report.infinite && static_cast<double>(report.cells) < 0.03 * report.width * report.height;
+  }
+
+  /// Whether what says ground is next to nothing beside the only layer, of which it may be the slopes.
+  bool isOutweighed(const Choice& choice, const Report& report) const {
+    const LayerFacts* const only = onlyLayer(facts_);
+    return choice.evidence == Evidence::ground && only && only->saying.says == Says::nothing && isLittle(report) &&
+           only->tiles > 4 * report.cells;
   }
 
   Imported import(const Options& options, Budget& budget) {
@@ -103,6 +116,16 @@ class WholeImport {
     for (const auto& [what, passable] : facts_.passable)
       if (!passable.areSquares || has(taken_->options.leaveOut, what))
         join(report.leftOut, concat(what, " (", passable.uses, ")"), ", ");
+  }
+
+  /// Of the layers that the options chose, open polylines are the part that may be missed.
+  static void tellLines(Report& report) {
+    for (const LayerReport& layer : report.layers) {
+      const auto lines = std::count_if(layer.notes.begin(), layer.notes.end(), [](const Note& note) {
+        return note.kind == NoteKind::leftOut && note.text.starts_with(kNoArea);
+      });
+      if (lines > 0) join(report.partial, linesLeftOut(layer.path, static_cast<std::uint64_t>(lines)));
+    }
   }
 
   /// Offers what options give, unless it is the same as what was taken or cannot be had. All that is tried shares what
@@ -135,6 +158,15 @@ class WholeImport {
         if (isTakenByItself(choice) && map.report.suggestions.empty())
           offer(map, choice.options, "hidden, and --visible leaves it out: " + choice.text, false);
     }
+    const auto lines = std::find_if(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& layer) {
+      return layer.lines > 0 && layer.saying.says != Says::nothing && !layer.isPassable;
+    });
+    if (lines != facts_.layers.end() && options_.polylineThickness == 0) {
+      Options thick = options_;
+      thick.objects = namesOfSaying(facts_);
+      thick.polylineThickness = kLineThickness;
+      offer(map, std::move(thick), "object layer " + lines->name + ": " + lines->why + "; its polylines made thick");
+    }
     for (const Choice& choice : choices_) offer(map, choice.options, choice.text);
   }
 
@@ -142,8 +174,7 @@ class WholeImport {
   void offerMissed(ImportedMap& map) {
     offered_.insert(choosingArguments(taken_->options));
     Report& report = map.report;
-    const double cells = static_cast<double>(report.width) * report.height;
-    if (taken_->evidence != Evidence::solid && !report.infinite && static_cast<double>(report.cells) < 0.03 * cells)
+    if (isLittle(report) && (taken_->evidence != Evidence::solid || onlyLayer(facts_)))
       join(report.partial, "it is less than 3 % of the map");
     for (const Missed& part : missed(facts_, *taken_, options_)) {
       join(part.isDue ? report.partial : report.also, part.text);
@@ -188,8 +219,8 @@ void WholeImport::open() {
 tl::expected<std::string, std::string> WholeImport::read(const std::string& name) {
   const std::string folder = options_.filesIn.empty() ? folderOf(path_) : options_.filesIn;
   if (!options_.filesAnywhere && name != path_ && !liesBelow(folder, name)) {
-    return tl::unexpected("it is not in the folder " + (folder.empty() ? "." : folder) +
-                          ". If the map can be trusted: Options::filesIn = " + folderOfBoth(path_, name));
+    return tl::unexpected(concat(kNotInFolder, folder.empty() ? "." : folder,
+                                 ". If the map can be trusted: Options::filesIn = ", folderOfBoth(path_, name)));
   }
   auto text = ofUser_(name);
   if (text && !budget_.read(text->size())) {

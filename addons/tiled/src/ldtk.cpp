@@ -184,6 +184,7 @@ void LdtkProject::readEntities(const JsonPlace& layer, pugi::xml_node to) {
       list = addLayer(group, "objectgroup", layer);
       list.attribute("name") = kind.c_str();
       setAttribute(list, "class", layer.text("__identifier"));
+      setAttribute(list, kThingsAttribute, "1");
       for (const JsonPlace& tag : entity["__tags"].elements()) {
         if (tag.value->is_string()) addProperty(list, tag.value->get_ref<const std::string&>(), true);
       }

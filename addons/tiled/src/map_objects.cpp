@@ -54,19 +54,20 @@ std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source,
   std::vector<MapShape> shapes;
   for (CollisionObject& drawn : tile.objects) {
     drawn.hidden |= object.hidden;
-    drawn.oneWay |= object.oneWay;
     drawn = asAsked(std::move(drawn), options);
     if (!budget.shape(drawn.points.size())) break;
-    MapShape& shape = shapes.emplace_back(MapShape{drawn, outline(drawn)});
+    MapShape& shape = shapes.emplace_back(MapShape{drawn, outlines(drawn)});
     shape.object.id = object.id;
     for (const std::string& name : {object.className, tile.className}) {
       if (shape.object.className.empty()) shape.object.className = name;
     }
     if (drawn.kind == Kind::tile) leaveOut(shape.object, "a shape of its tile is a tile object");
-    for (DoublePoint& p : shape.outline) {
-      const DoublePoint inBox = frame.toCell(p);
-      const DoublePoint q = turned({inBox.x - part.x * size.x, part.y * size.y - inBox.y}, object.rotation);
-      p = {object.at.x + q.x, -(object.at.y + q.y)};
+    for (Outline& outline : shape.outlines) {
+      for (DoublePoint& p : outline) {
+        const DoublePoint inBox = frame.toCell(p);
+        const DoublePoint q = turned({inBox.x - part.x * size.x, part.y * size.y - inBox.y}, object.rotation);
+        p = {object.at.x + q.x, -(object.at.y + q.y)};
+      }
     }
   }
   return shapes;
@@ -74,31 +75,29 @@ std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source,
 
 }  // namespace
 
-std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Options& options, Budget& budget) {
-  std::vector<MapShape> shapes;
-  const bool isOneWay = saysOneWay(layer.node);
+void readObjects(MapSource& source, const Layer& layer, const Options& options, Budget& budget, const ShapeSink& sink) {
+  const std::string ofLayer = classOf(layer.node);
+  const auto give = [&](MapShape shape) {
+    if (shape.object.className.empty()) shape.object.className = ofLayer;
+    sink(shape);
+  };
   for (const auto node : layer.node.children("object")) {
     if (layer.isByProperty && !firstFit(options.solidIf, propertiesOf(node))) continue;
     CollisionObject object = readObject(*source.file, node, layer.offset, source.templates);
-    if (source.file->failed()) return {};
+    if (source.file->failed()) return;
     if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {
       continue;
     }
-    object.oneWay |= isOneWay;
     object = asAsked(std::move(object), options);
     if (object.kind == Kind::tile) {
-      for (MapShape& shape : shapesOf(object, source, options, budget)) shapes.push_back(std::move(shape));
+      for (MapShape& shape : shapesOf(object, source, options, budget)) give(std::move(shape));
       continue;
     }
-    MapShape& shape = shapes.emplace_back(MapShape{std::move(object), {}});
-    shape.outline = outline(shape.object);
-    for (DoublePoint& p : shape.outline) p.y = -p.y;
+    std::vector<Outline> all = outlines(object);
+    for (Outline& outline : all)
+      for (DoublePoint& p : outline) p.y = -p.y;
+    give({std::move(object), std::move(all)});
   }
-  const std::string ofLayer = classOf(layer.node);
-  for (MapShape& shape : shapes) {
-    if (shape.object.className.empty()) shape.object.className = ofLayer;
-  }
-  return shapes;
 }
 
 }  // namespace lgs::tiled

@@ -22,16 +22,19 @@ class Noter {
 
   void leaveOut(std::string why) const { note(NoteKind::leftOut, 0, std::move(why)); }
 
-  void noteSnapping(const Snapped& snapped) const {
+  void noteKind() const {
     if (object_.kind == Kind::ellipse || object_.kind == Kind::capsule) {
       note(NoteKind::approximated, 0,
            concat(object_.kind == Kind::ellipse ? "an ellipse" : "a capsule", " became a polygon of ", kCurveVertices,
                   " vertices"));
     }
     if (object_.thickness > 0) {
-      note(NoteKind::approximated, 0, "a one-way polyline became a polygon, " + pixels(object_.thickness) + " thick");
+      note(NoteKind::approximated, 0, "an open polyline became " + pixels(object_.thickness) + " thick");
     }
     if (object_.hidden) note(NoteKind::hidden, 0, "is hidden, and counts all the same; --visible leaves it out");
+  }
+
+  void noteSnapping(const Snapped& snapped) const {
     if (snapped.takenBack) {
       note(NoteKind::takenBack, snapped.furthest,
            concat("stays as drawn: snapping by up to ", pixels(snapped.furthest),
@@ -63,32 +66,40 @@ double reach(Cell shift, const Polygon& ring, const PixelGrid& grid) {
   return std::max(out(shift.i, box.min.x, box.max.x, grid.tile.x), out(shift.j, box.min.y, box.max.y, grid.tile.y));
 }
 
+/// One outline of an object. Returns why nothing of it is taken; or "".
+std::string cutOutline(const Noter& noter, const Outline& outline, const PixelGrid& grid, double most, Budget& budget,
+                       const PartSink& sink, bool isFirst) {
+  if (!budget.shape(outline.size())) return {};
+  Snapped snapped = snap(outline, grid, most);
+  if (snapped.tooFar)
+    return most > kMaxReach ? "it is too far away"
+                            : concat("it reaches more than ", kMaxReach, " cells out of its cell");
+  constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
+  const Box box = boundingBox(snapped.ring);
+  if (box.max.x - box.min.x > kExtent || box.max.y - box.min.y > kExtent)
+    return concat("it is more than ", kMaxRegionCells, " cells wide or high");
+  takeBackCollapse(snapped);
+  if (isFirst) noter.noteKind();
+  noter.noteSnapping(snapped);
+  if (isTangled(snapped.ring)) return "its outline crosses itself more than 1024 times";
+  if (tidyLoops(snapped.ring).empty()) return "it has no area once it is on the grid";
+  if (!budget.stroke(snapped.ring)) return {};
+  const auto parts = cutAlongGrid(snapped.ring, sink);
+  if (!parts) return "a cell holds as many polygons or vertices as it can";
+  return *parts > 0 ? "" : "it has no area: what its outline goes around twice is not solid";
+}
+
 }  // namespace
 
-void cutObject(const CollisionObject& object, const std::vector<DoublePoint>& outline, const PixelGrid& grid,
-               double most, Budget& budget, std::vector<Note>& notes, const PartSink& sink) {
+void cutObject(const CollisionObject& object, const std::vector<Outline>& outlines, const PixelGrid& grid, double most,
+               Budget& budget, std::vector<Note>& notes, const PartSink& sink) {
   const Noter noter(object, notes);
   if (object.kind == Kind::unsupported) return noter.leaveOut(object.unsupported);
   if (object.kind == Kind::tile) return noter.leaveOut("it is a tile object: draw a shape instead");
-  if (!budget.shape(outline.size())) return;
-  Snapped snapped = snap(outline, grid, most);
-  if (snapped.tooFar) {
-    return noter.leaveOut(most > kMaxReach ? "it is too far away"
-                                           : concat("it reaches more than ", kMaxReach, " cells out of its cell"));
+  for (const Outline& outline : outlines) {
+    std::string why = cutOutline(noter, outline, grid, most, budget, sink, &outline == &outlines.front());
+    if (!why.empty()) noter.leaveOut(std::move(why));
   }
-  constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
-  const Box box = boundingBox(snapped.ring);
-  if (box.max.x - box.min.x > kExtent || box.max.y - box.min.y > kExtent) {
-    return noter.leaveOut(concat("it is more than ", kMaxRegionCells, " cells wide or high"));
-  }
-  takeBackCollapse(snapped);
-  noter.noteSnapping(snapped);
-  if (isTangled(snapped.ring)) return noter.leaveOut("its outline crosses itself more than 1024 times");
-  if (tidyLoops(snapped.ring).empty()) return noter.leaveOut("it has no area once it is on the grid");
-  if (!budget.stroke(snapped.ring)) return;
-  const auto parts = cutAlongGrid(snapped.ring, sink);
-  if (!parts) return noter.leaveOut("a cell holds as many polygons or vertices as it can");
-  if (*parts == 0) noter.leaveOut("it has no area: what its outline goes around twice is not solid");
 }
 
 TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options,
@@ -98,8 +109,9 @@ TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& 
   const bool carries = options.outside == Outside::carry;
   for (const CollisionObject& drawn : tile.objects) {
     const CollisionObject object = asAsked(drawn, options);
-    std::vector<DoublePoint> points = outline(object);
-    for (DoublePoint& p : points) p = frame.toCell(p);
+    std::vector<Outline> points = outlines(object);
+    for (Outline& outline : points)
+      for (DoublePoint& p : outline) p = frame.toCell(p);
     double out = 0;
     cutObject(object, points, grid, kMaxReach, budget, result.notes, [&](Cell shift, const Polygon& ring) {
       out = std::max(out, reach(shift, ring, grid));

@@ -6,13 +6,15 @@
 #include "map_source.h"
 #include "pixel_grid.h"
 
+#include <functional>
+
 namespace lgs::tiled {
 
-/// Puts an object on the lattice and cuts it along the grid. Its outline is in pixels from the lower left corner of its
+/// Puts an object on the lattice and cuts it along the grid. Its outlines are in pixels from the lower left corner of its
 /// home cell, y up; `most` is how many cells away a vertex may be. Each part goes to the sink. What happens becomes a
 /// note. What it costs is taken from the budget; if that is spent, nothing comes.
-void cutObject(const CollisionObject& object, const std::vector<DoublePoint>& outline, const PixelGrid& grid,
-               double most, Budget& budget, std::vector<Note>& notes, const PartSink& sink);
+void cutObject(const CollisionObject& object, const std::vector<Outline>& outlines, const PixelGrid& grid, double most,
+               Budget& budget, std::vector<Note>& notes, const PartSink& sink);
 
 /// A number of pixels as the notes write it, with at most two decimals: "1.25 px".
 std::string pixels(double value);
@@ -34,11 +36,13 @@ TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& 
 
 /// One shape of an object of an object layer. A tile object can have several.
 struct MapShape {
-  CollisionObject object;            ///< its id, its kind, and the class that decides on its block
-  std::vector<DoublePoint> outline;  ///< pixels from the map's upper left corner, y up; empty for Kind::unsupported
+  CollisionObject object;         ///< its id, its kind, and the class that decides on its block
+  std::vector<Outline> outlines;  ///< pixels from the map's upper left corner, y up; none for Kind::unsupported
 };
 
-/// All shapes of an object layer, in the file's order; those for which the budget is enough.
-std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Options& options, Budget& budget);
+using ShapeSink = std::function<void(const MapShape& shape)>;
+
+/// Gives the shapes of an object layer one by one, in the file's order; those for which the budget is enough.
+void readObjects(MapSource& source, const Layer& layer, const Options& options, Budget& budget, const ShapeSink& sink);
 
 }  // namespace lgs::tiled

@@ -187,11 +187,12 @@ std::string projectFolder(const std::string& map) {
   fs::path real = first;
   for (int up = 0; !real.empty(); ++up) {
     if (up <= kMostUp) result = folder;
+    if (real == top) break;  // what lies in the home folder itself marks no project
     if (isProject(real)) {
       result = folder;
       break;
     }
-    if (real == top || real.parent_path() == real.root_path()) break;
+    if (real.parent_path() == real.root_path()) break;
     real = real.parent_path();
     folder /= "..";
     if (fs::canonical(withoutSlash(folder), failed) != real) break;  // a link leads here: its neighbours are strangers

@@ -18,7 +18,6 @@ Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   tile.className = classOf(node);
   tile.properties = propertiesOf(node);
   if (!tile.className.empty()) tile.properties.emplace("class", tile.className);
-  const bool isOneWay = saysOneWay(node);
   const auto image = node.child("image");
   const auto side = [&](const char* attribute) {
     const std::int64_t ofImage = file.integer(image, attribute, 0, 0, kMaxPixels);
@@ -27,10 +26,8 @@ Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   tile.size = {side("width"), side("height")};
   for (const auto group : node.children("objectgroup")) {
     const DoublePoint offset{file.real(group, "offsetx"), file.real(group, "offsety")};
-    for (const auto object : group.children("object")) {
+    for (const auto object : group.children("object"))
       tile.objects.push_back(readObject(file, object, offset, templates));
-      tile.objects.back().oneWay |= isOneWay;
-    }
   }
   return tile;
 }
@@ -72,7 +69,7 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& template
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
     const bool isOfMap = std::string_view(map.root().name()) == "map";
-    if (!file.isMissing() || !isOfMap) map.fail(node, std::move(what));
+    if (!isOfMap || !(file.isMissing() || file.isRefused())) map.fail(node, std::move(what));
     tileset.name = std::filesystem::path(source).stem().string();
     tileset.missing = std::move(what);
     for (auto [side, attribute] : {std::pair(&tileset.tileSize.x, "tilewidth"), {&tileset.tileSize.y, "tileheight"}})
@@ -189,7 +186,6 @@ tl::expected<TileShape, std::string> shapeIn(std::string_view text) {
 CollisionObject objectOf(const TileShape& shape, const Tile& tile, DoublePoint size) {
   CollisionObject object;
   object.kind = shape.oneWay ? CollisionObject::Kind::polyline : CollisionObject::Kind::polygon;
-  object.oneWay = shape.oneWay;
   if (shape.oneWay && tile.className.empty()) object.className = "one-way";
   for (const DoublePoint p : shape.outline) object.points.push_back({p.x * size.x, (1 - p.y) * size.y});
   return object;

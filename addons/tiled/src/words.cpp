@@ -38,18 +38,22 @@ constexpr auto kLongWords = std::to_array<Saying>({{Says::collision, "collision"
 /// Words that turn the one after them into its opposite, or that are written together with it.
 constexpr auto kNot = std::to_array<std::string_view>({"anti", "no", "non", "not", "un", "without"});
 
+/// What lets bodies pass; what does not is solid: "non_traversable", "unwalkable".
+constexpr auto kPassed = std::to_array<std::string_view>({"passab", "traversab", "walkab"});
+
 /// Words for another use, as they are. They are also looked for before and after a word that is written together.
 constexpr auto kOther = std::to_array<std::string_view>(
     {"art",    "back",  "background", "behind", "below",      "bg",    "cam", "camera", "con",   "fake",
      "far",    "fg",    "fire",       "fore",   "foreground", "front", "fx",  "item",   "items", "light",
      "lights", "mid",   "middle",     "moving", "npc",        "npcs",  "old", "paper",  "pass",  "passable",
-     "path",   "paths", "play",       "player", "sprite",     "sur",   "with"});
+     "path",   "paths", "play",       "player", "sprite",     "sur",   "win", "with"});
 
 /// The same for words that begin so.
 constexpr auto kOtherBegins = std::to_array<std::string_view>({
-    "ambient", "check",  "cloud", "coin",   "collect", "decal",    "deco",  "detail", "door",  "effect", "enem",
-    "entr",    "event",  "exit",  "finish", "flag",    "fond",     "goal",  "hinter", "ignor", "liquid", "overlay",
-    "portal",  "shadow", "sky",   "spawn",  "start",   "teleport", "toxic", "visual", "warp",  "water",
+    "ambient", "check",  "cloud",    "coin",   "collect", "decal",   "deco",   "detail", "door",
+    "effect",  "enem",   "entit",    "entr",   "event",   "exit",    "finish", "flag",   "fond",
+    "goal",    "hinter", "ignor",    "liquid", "navig",   "overlay", "portal", "shadow", "sky",
+    "spawn",   "start",  "teleport", "toxic",  "visual",  "walkab",  "warp",   "water",
 });
 
 /// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.
@@ -59,7 +63,8 @@ constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "backgrou
 /// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
 constexpr auto kPassableBegins = std::to_array<std::string_view>(
     {"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "sensor", "spike", "trigger"});
-constexpr auto kFluidBegins = std::to_array<std::string_view>({"acid", "lava", "rope", "vine", "water"});
+constexpr auto kFluidBegins =
+    std::to_array<std::string_view>({"acid", "hole", "lava", "pit", "rope", "vine", "void", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties = std::to_array<std::string_view>(
@@ -108,6 +113,8 @@ std::vector<std::string> wordsIn(std::string_view name) {
 
 /// What one word says, with what is written together with it.
 Saying sayingOf(std::string_view text) {
+  for (const std::string_view no : kNot)
+    if (text.starts_with(no) && begins(kPassed, text.substr(no.size()))) return {Says::collision, "not passable"};
   const auto fits = [&](std::string_view word) {
     const std::size_t at = text.find(word);
     return at != std::string_view::npos && !isOther(text.substr(0, at)) && !has(kNot, text.substr(0, at)) &&
@@ -138,9 +145,10 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
   bool isNot = false;
   for (const std::string& word : words) {
     if (word.empty()) endPart();
-    const Saying one = sayingOf(word);
+    const bool isBarred = isNot && begins(kPassed, word);
+    const Saying one = isBarred ? Saying{Says::collision, "not passable"} : sayingOf(word);
     if (one.says > part.says) part = one;
-    isOtherPart = isOtherPart || isOtherUse(word) || (isNot && one.says != Says::nothing);
+    isOtherPart = isOtherPart || (!isBarred && (isOtherUse(word) || (isNot && one.says != Says::nothing)));
     isNot = has(kNot, word);
   }
   endPart();
@@ -155,7 +163,9 @@ bool anyWord(std::string_view name, const Fits& fits) {
 
 }  // namespace
 
-Saying saying(std::string_view name) { return sayingOf(wordsIn(name), isOther); }
+Saying saying(std::string_view name) {
+  return sayingOf(wordsIn(name), [](std::string_view word) { return word != "player" && isOther(word); });
+}
 
 Saying sayingOfProperty(std::string_view name) {
   return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || has(kOfProperties, word); });
@@ -169,10 +179,19 @@ bool isGoneThrough(std::string_view name) {
   return isPassable(name) || anyWord(name, [](const std::string& word) { return begins(kFluidBegins, word); });
 }
 
+bool isPassage(std::string_view name) {
+  return anyWord(name, [](const std::string& word) { return begins(kPassed, word); }) &&
+         saying(name).says == Says::nothing;
+}
+
 bool isMainName(std::string_view name) {
   constexpr auto kMain = std::to_array<std::string_view>({"level", "main", "map", "tile", "tiles"});
   const std::vector<std::string> words = wordsIn(name);
   return words.size() == 1 && has(kMain, words.front());
+}
+
+bool isForeground(std::string_view name) {
+  return anyWord(name, [](const std::string& word) { return word == "foreground" || word == "fg"; });
 }
 
 bool isOnlySeen(std::string_view name) {
@@ -180,19 +199,6 @@ bool isOnlySeen(std::string_view name) {
 }
 
 bool isForOtherUse(std::string_view name) { return anyWord(name, isOther); }
-
-namespace {
-
-/// "One-Way", "one_way" and "oneWay" are alike.
-bool isOneWayWord(std::string_view name) {
-  std::string text = lower(name);
-  std::erase_if(text, [](char c) { return c == '-' || c == '_' || c == ' '; });
-  constexpr std::array<std::string_view, 4> kWords{"oneway", "platform", "jumpthrough", "jumpthru"};
-  return std::any_of(kWords.begin(), kWords.end(),
-                     [&](std::string_view word) { return text.find(word) != std::string::npos; });
-}
-
-}  // namespace
 
 Properties propertiesOf(pugi::xml_node node) {
   Properties result;
@@ -252,14 +258,8 @@ Saying sayingOf(pugi::xml_node node, std::string* why) {
   for (const auto& [property, value] : properties) {
     if (saysYes(value)) hear(sayingOfProperty(property), "its property '" + property + "' says so");
   }
-  return strongest;
-}
-
-bool saysOneWay(pugi::xml_node node) {
-  if (isOneWayWord(node.attribute("name").value()) || isOneWayWord(classOf(node))) return true;
-  const Properties properties = propertiesOf(node);
-  return std::any_of(properties.begin(), properties.end(),
-                     [](const auto& p) { return isOneWayWord(p.first) && saysYes(p.second); });
+  const bool isPart = strongest.says == Says::ground && strongest.ground == Ground::part;
+  return isPart && node.attribute(kThingsAttribute) ? Saying{} : strongest;
 }
 
 }  // namespace lgs::tiled

@@ -51,8 +51,14 @@ bool isPassable(std::string_view name);
 /// The same for the name of a value of cells, which can also be water and the like.
 bool isGoneThrough(std::string_view name);
 
+/// Whether a name is about where bodies pass: "walkable". Then a value that says no is a wall.
+bool isPassage(std::string_view name);
+
 /// Whether a layer is called "tiles", "main" or the like.
 bool isMainName(std::string_view name);
+
+/// Whether a layer is called "foreground": beside nothing but a background it is the level.
+bool isForeground(std::string_view name);
 
 /// Whether the name of a layer says that it lies behind or above the others.
 bool isOnlySeen(std::string_view name);
@@ -91,13 +97,13 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
 /// Whether a property says that something is not solid: "solid=false". Then this is a rule for it; otherwise "".
 std::string noIn(const std::string& property, const std::string& value);
 
+/// The attribute of an object layer whose objects are things with a name of their own, such as entities of LDtk. Of
+/// them "platform" or "block" says nothing: it may be a thing that moves.
+inline constexpr const char* kThingsAttribute = "lgs:things";
+
 /// The strongest that is said by the name of an element and its class, and of an object layer by the properties that
 /// say yes; of equals the first. (A property of a tile layer is a rule for its tiles.) The reason in words goes into
 /// `why`.
 Saying sayingOf(pugi::xml_node node, std::string* why = nullptr);
-
-/// Whether an element says that it is one-way: its name, its class, or a property that says yes has "one-way",
-/// "platform" or "jump-through" in it, in any of the usual spellings.
-bool saysOneWay(pugi::xml_node node);
 
 }  // namespace lgs::tiled

@@ -96,6 +96,7 @@ XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootNam
     if (!failed()) expectRoot(rootName);
   } else {
     isMissing_ = text.error().starts_with(kNoSuchFile);
+    isRefused_ = !refusal.empty() || text.error().starts_with(kNotInFolder);
     error_ = ImportError{name_, 0, "", "cannot be read: " + text.error()};
   }
 }

@@ -55,6 +55,9 @@ std::string numberText(double value);
 /// The path of a file that another one names by a path from its own folder, in either kind of slashes.
 std::string pathBeside(const std::string& file, std::string named);
 
+/// How a reason begins why a file is not read: its path, as it is written, leads out of the folder.
+inline constexpr std::string_view kNotInFolder = "it is not in the folder ";
+
 /// Whether errors may quote what stands in a file, and what stands in those that it names.
 struct Quoting {
   bool own = true;
@@ -78,6 +81,7 @@ class XmlFile {
   std::optional<ImportError>& error() const { return error_; }
   bool wasRead() const { return wasRead_; }      ///< the reader gave its text, whatever there is in it
   bool isMissing() const { return isMissing_; }  ///< the reader says that there is no such file
+  bool isRefused() const { return isRefused_; }  ///< nobody looked, as its name leads where the map may not read
 
   /// The line of a node, from 1; 0 if it has none, or comes from JSON.
   int line(pugi::xml_node node) const;
@@ -109,7 +113,7 @@ class XmlFile {
 
   std::string name_;
   Quoting quoting_;
-  bool wasRead_ = false, isMissing_ = false;
+  bool wasRead_ = false, isMissing_ = false, isRefused_ = false;
   std::string text_;
   pugi::xml_document document_;
   const FileReader& reader_;

@@ -129,5 +129,16 @@ TEST(TiledAskedNames, SimilarNames) {
   EXPECT_TRUE(areSimilar("", ""));
 }
 
+TEST(TiledAskedNames, WhatIsNotThereIsAPart) {
+  const auto partial = [](const Options& options) {
+    const std::string set = "<tileset firstgid='1' name='s' tilewidth='32' tileheight='32'><tile id='0'>" +
+                            property("kind", "rock") + "</tile></tileset>";
+    return mustImport(set + csvLayer(1, 1, "1"), options).report.partial;
+  };
+  EXPECT_EQ(partial({.solidIf = {"kind=rock", "kind=ice", "colides"}, .leaveOut = {"lava"}}),
+            "nothing has what was asked for: colides, kind=ice, lava");
+  EXPECT_EQ(partial({.solidIf = {"kind"}}), "");
+}
+
 }  // namespace
 }  // namespace lgs::tiled

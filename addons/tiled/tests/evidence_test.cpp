@@ -38,6 +38,48 @@ TEST(TiledEvidence, ATileLayerCalledCollisionComesBeforeObjects) {
             "tile layer ground: its name says 'ground' (--layer ground --solid)");
 }
 
+/// A map of 40×8 tiles has room for what is next to nothing.
+ImportedMap importWide(const std::string& layers, const std::string& tileset = "") {
+  return mustImportFiles({{"maps/test.tmx", "<map width='40' height='8' tilewidth='16' tileheight='16'>" +
+                                                meant::mapOf(tileset, layers) + "</map>"}});
+}
+std::string wide(const std::string& name, const std::string& tiles) {
+  std::string csv;
+  for (const char c : tiles + std::string(320 - tiles.size(), '.'))
+    csv += (csv.empty() ? "" : ",") + std::to_string(c == '.' ? 0 : c - 'a' + 1);
+  return "<layer name='" + name + "' width='40' height='8'><data encoding='csv'>" + csv + "</data></layer>";
+}
+
+/// The author gave the slopes of the ground a property, and means the ground.
+TEST(TiledEvidence, WhatIsNextToNothingDoesNotStandForTheLevel) {
+  const std::string slope = meant::tile('b', property("slope", "45"));
+  const auto map = importWide(wide("tiles", std::string(60, 'a') + "bbb"), slope);
+  EXPECT_EQ(map.placements.size(), 63U);
+  EXPECT_THAT(offersOf(map), ElementsAre("--solid-if slope"));
+  EXPECT_EQ(importWide(wide("tiles", std::string(8, 'a') + "bbb"), slope).placements.size(), 3U) << "of much more";
+  const auto few =
+      importWide(wide("tiles", std::string(60, 'a')) + meant::objects("obstacles", meant::box(0, 0, 1, 1)));
+  EXPECT_EQ(few.placements.size(), 1U);
+  EXPECT_EQ(few.report.partial, "it is less than 3 % of the map");
+  EXPECT_THAT(offersOf(few), ElementsAre("--layer tiles --solid"));
+  EXPECT_EQ(importWide(wide("T1", std::string(60, 'a')) + wide("T2", "aaa")).placements.size(), 60U)
+      << "a few tiles in another layer are no rival";
+}
+
+/// A game's code may stop bodies at more layers than those that say so.
+TEST(TiledEvidence, OtherLayersBesideThoseThatAreTakenAreSaid) {
+  const std::string rock = meant::tiles("obstacle", kRim), pond = "......../..aa..../......../........";
+  const auto map = import(rock + meant::tiles("water", pond) + meant::tiles("decoration", pond));
+  EXPECT_EQ(map.placements.size(), 20U);
+  EXPECT_EQ(map.report.also, "tile layer water, of which 0 of 2 tiles are taken");
+  EXPECT_THAT(offersOf(map), ElementsAre("--layer obstacle --layer water --solid"));
+}
+
+TEST(TiledEvidence, WhereBodiesWalkIsNoGround) {
+  EXPECT_TRUE(import(meant::tiles("grass", kFull) + meant::tiles("navigation", kHills)).placements.empty());
+  EXPECT_TRUE(import(meant::tiles("grass", kFull) + meant::tiles("walkable", kHills)).placements.empty());
+}
+
 TEST(TiledEvidence, GroundIsNotMixedWithCollision) {
   const std::string walked = "bbbbbbbb/bbbb..../bbbbbbbb/bbbbb...";
   for (const std::string& ground : {kFull, walked}) {
@@ -107,7 +149,7 @@ TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
   const auto line = import(meant::objects(
       "Collision", meant::line(0, 1, 3) + meant::box(0, 3, 1, 1) + meant::box(2, 3, 1, 1) + meant::box(4, 3, 1, 1)));
   EXPECT_EQ(line.report.partial, "object layer Collision, of which 1 open polyline is left out");
-  EXPECT_TRUE(line.report.suggestions.empty()) << "a thickness adds nothing, as it is not one-way";
+  EXPECT_THAT(offersOf(line), ElementsAre("--objects Collision --polyline-thickness 4"));
   const auto most = import(meant::tiles("Blocks", "......../..ab..../aaaa..aa/aaaaaaaa"), {}, shape);
   EXPECT_EQ(most.report.partial, "");
   EXPECT_EQ(most.report.also, "tile layer Blocks, of which 15 of 16 tiles are taken");
@@ -196,11 +238,21 @@ TEST(TiledEvidence, ValuesOfLdtkThatOneGoesThroughAreLeftOut) {
   const auto ladders = test::must(importFiles({{"maps/test.tmx", replaced(text, "ice", "Ladder_top")}}));
   EXPECT_EQ(cellsOf(ladders), (Cells{{1, -2}, {0, -1}}));
   EXPECT_EQ(ladders.report.choice, "IntGrid layers: Solid, without Ladder_top (--not Ladder_top)");
+  EXPECT_EQ(cellsOf(test::must(importFiles({{"maps/test.tmx", replaced(text, "ice", "pit")}}))), cellsOf(ladders));
   const auto floors =
       test::must(importFiles({{"maps/test.tmx", replaced(replaced(text, "ice", "Floor"), "dirt", "Walls")}}));
   EXPECT_EQ(cellsOf(floors), (Cells{{1, -2}, {0, -1}})) << "a floor beside walls";
   const auto floorAlone = importFiles({{"maps/test.tmx", replaced(text, "ice", "Floor")}});
   EXPECT_EQ(floorAlone->placements.size(), 4U) << "a platformer stands on it";
+  const std::string place = "\"px\":[8,8], \"width\":8, \"height\":8";
+  const auto moving = test::must(
+      importFiles({{"maps/test.tmx",
+                    project(level("A", 0, 0, grid("1,0,0,0,0,0") + "," + things(entity("Platform", 13, place))))}}));
+  EXPECT_EQ(moving.placements.size(), 1U) << "a platform that is an entity moves";
+  const auto wall = test::must(importFiles(
+      {{"maps/test.tmx", project(level("A", 0, 0, grid("1,0,0,0,0,0") + "," + things(entity("Wall", 12, place))))}}));
+  EXPECT_EQ(wall.placements.size(), 2U);
+  EXPECT_EQ(wall.report.choice, "IntGrid layers: Solid; object layer Things/Wall: its name says 'wall'");
   const std::string only = replaced(project(level("A", 0, 0, grid("2,2,0,0,0,0"))), "ice", "ladder");
   EXPECT_EQ(importFiles({{"maps/test.tmx", only}})->placements.size(), 2U) << "else nothing would be left";
 }
@@ -248,6 +300,7 @@ TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {
   EXPECT_EQ(two.placements.size(), 2U);
   const std::string missing = "the map's file maps/no.tmx cannot be read: there is no such file";
   EXPECT_THAT(two.report.notes, ElementsAre("a map of the world is left out: " + missing));
+  EXPECT_EQ(two.report.partial, missing);
   EXPECT_EQ(message(importFiles(files, {.allMaps = true}).error()), "maps/test.tmx: maps/1 " + missing);
   const auto read = [&](const std::string& path) -> tl::expected<std::string, std::string> { return files.at(path); };
   files["maps/no.tmx"] = map;

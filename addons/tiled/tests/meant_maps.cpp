@@ -176,6 +176,14 @@ std::vector<MeantMap> meantMaps() {
        mapOf(has('a', "collides"), tiles("Ground", G) + tiles("Walls", D)), G},
       {"kind is solid", mapOf(has('a', "kind", "solid") + has('b', "kind", "sky"), tiles("Main", U) + tiles("Back", S)),
        U},
+      {"not walkable",
+       mapOf(has('a', "walkable", "false") + has('b', "walkable"), tiles("map", "aaaaaaaa/abbbbbba/abbbbbba/aaaaaaaa")),
+       W},
+      {"tiles of the class non_traversable",
+       mapOf(tile('a', none, "non_traversable") + tile('b', none, "traversable"),
+             tiles("floor", "aaaaaaaa/abbbbbba/abbbbbba/aaaaaaaa")),
+       W},
+      {"unwalkable", mapOf(none, tiles("walkable", F) + tiles("Unwalkable", W)), W},
       {"a property without a value", mapOf(has('a', "blocked", ""), tiles("Ground", G) + tiles("Walls", D)), G},
       {"what one walks on is no wall",
        mapOf(tile('a', none, "wall") + tile('b', none, "floor"), tiles("base", "aaaaaaaa/abbbbbba/abbbbbba/aaaaaaaa")),
@@ -234,6 +242,14 @@ std::vector<MeantMap> meantMaps() {
                        objects("Bricks", box(1, 0, 1, 1)) + objects("Goombas", box(5, 1, 1, 1))),
        ".a....../...a..../aaaaaaaa/aaaaaaaa"},
 
+      {"terrain in two layers, and walls", mapOf(none, tiles("terrain", B) + tiles("terrain2", D) + tiles("walls", W)),
+       W},
+      {"what stands on the terrain is no terrain", mapOf(none, tiles("terrainEntities", D) + tiles("walls", W)), W},
+      {"things that collide with the player, and where one wins",
+       mapOf(none, tiles("T1", B) + objects("Objects", box(0, 2, 8, 2, "name='player_collide'") +
+                                                           box(1, 0, 1, 1, "name='win_collide'"))),
+       U},
+
       // 5. The only layer, if it is half empty.
       {"one layer alone", mapOf(none, tiles("T1", P)), P},
       {"one layer before a background", mapOf(none, tiles("Background", B) + tiles("Tile Layer 1", G)), G},
@@ -243,6 +259,11 @@ std::vector<MeantMap> meantMaps() {
        P},
       {"one layer, water and spawns", mapOf(none, spawns + tiles("Water", S) + tiles("Tiles", P)), P},
 
+      {"a foreground beside a background", mapOf(none, tiles("background", B) + tiles("foreground", G)), G},
+      {"a foreground with less in it than the background", mapOf(none, tiles("Background", S) + tiles("Foreground", P)),
+       P},
+      {"spikes are no rival", mapOf(none, tiles("map", P) + tiles("spikes", "......../......../......../dddddddd")), P},
+
       // 6. Object layers with an area, and 7. tile layers, that nothing is said of: what is first offered.
       {"boxes in Object Layer 1", mapOf(none, tiles("Tile Layer 1", B) + objects("Object Layer 1", ground)), U},
       {"boxes, and a layer of points",
@@ -250,6 +271,9 @@ std::vector<MeantMap> meantMaps() {
       {"one layer and things",
        mapOf(none, tiles("Tile Layer 1", U) + objects("objects", box(1, 0, 1, 1, "name='hero'"))), U},
       {"a layer called tile, and a larger one", mapOf(none, tiles("png", G) + tiles("tile", P)), P},
+      {"buildings in a town", mapOf(none, tiles("Grass", B) + tiles("Decorations/Buildings", W)), W},
+      {"trees and lamps of a layer called Obstacles",
+       mapOf(none, tiles("Street", B) + objects("Obstacles", figure(1, 1))), ".a....../......../......../........"},
       {"a layer above a background that fills the map", mapOf(none, tiles("Layer 1", B) + tiles("Layer 2", U)), U},
       {"spawns are no offer", mapOf(none, spawns + tiles("main", U)), U},
       {"water is not the likeliest", mapOf(none, tiles("Water", S) + tiles("Tiles", P)), P},

@@ -202,9 +202,9 @@ TEST(TiledObjectLayers, WhatIsLeftOutAndWhy) {
     return notes.empty() ? "" : notes.back();
   };
   EXPECT_EQ(reason("<object id='1'><polyline points='0,0 64,64 64,0'/></object>"),
-            "Walls 1: an open polyline has no area: close it, or draw a polygon instead");
+            "Walls 1: an open polyline has no area: close it, or --polyline-thickness PIXELS makes it thick");
   EXPECT_EQ(reason("<object id='1'><polyline points='0,0 64,64 0,0'/></object>"),
-            "Walls 1: an open polyline has no area: close it, or draw a polygon instead");
+            "Walls 1: an open polyline has no area: close it, or --polyline-thickness PIXELS makes it thick");
   EXPECT_EQ(reason("<object id='1'><point/></object>"), "Walls 1: a point has no area");
   EXPECT_EQ(reason("<object id='1' width='9' height='9'><text/></object>"), "Walls 1: a text is no shape");
   EXPECT_EQ(reason(rectangle(0, 0, 64, 0)), "Walls 1: it has no area: its width or height is 0");
@@ -270,7 +270,8 @@ TEST(TiledObjectLayers, TheProjectsOwnCave) {
   const auto map = test::must(importMap(LGS_SOURCE_DIR "/examples/maps/cave.tmx", {.blockFrom = BlockFrom::tileClass}));
   EXPECT_EQ(worldOf(map).loops().size(), 2U) << "the plank, and all else";
   EXPECT_EQ(map.report.blocks.size(), 3U);
-  EXPECT_EQ(layerNotes(map).front(), "Walls 10: an open polyline has no area: close it, or draw a polygon instead");
+  EXPECT_EQ(layerNotes(map).front(),
+            "Walls 10: an open polyline has no area: close it, or --polyline-thickness PIXELS makes it thick");
 }
 
 }  // namespace

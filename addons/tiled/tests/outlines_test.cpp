@@ -122,9 +122,9 @@ TEST(TiledOutlines, OfWhatHasNone) {
   CollisionObject object;
   object.kind = CollisionObject::Kind::unsupported;
   object.size = {32, 32};
-  EXPECT_TRUE(outline(object).empty());
+  EXPECT_TRUE(outlines(object).empty());
   object.kind = CollisionObject::Kind::rectangle;
-  EXPECT_EQ(outline(object).size(), 4U);
+  EXPECT_EQ(outlines(object).at(0).size(), 4U);
 }
 
 TEST(TiledOutlines, WhatIsLeftOutAndWhy) {
@@ -144,7 +144,7 @@ TEST(TiledOutlines, WhatIsLeftOutAndWhy) {
   EXPECT_EQ(reason(vertices(1025)), "0: the polygon has more than 1024 vertices");
   EXPECT_EQ(reason(polygon("0,0 9,9")), "0: the polygon has fewer than 3 vertices");
   EXPECT_EQ(reason("<object id='1'><polyline points='0,0 9,9 9,0'/></object>"),
-            "0: an open polyline has no area: close it, or draw a polygon instead");
+            "0: an open polyline has no area: close it, or --polyline-thickness PIXELS makes it thick");
   EXPECT_EQ(reason("<object id='1'><point/></object>"), "0: a point has no area");
   EXPECT_EQ(reason("<object id='1' width='9' height='9'><text/></object>"), "0: a text is no shape");
   EXPECT_EQ(reason("<object id='1' template='a.tx'/>"),

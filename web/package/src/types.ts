@@ -335,7 +335,7 @@ export interface ImportOptions {
   allMaps?: boolean
   /** Leave out what is hidden. */
   visible?: boolean
-  /** Pixels: one-way polylines become polygons of this thickness. */
+  /** Pixels: open polylines become polygons of this thickness. */
   polylineThickness?: number
 }
 

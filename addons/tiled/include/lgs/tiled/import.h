@@ -160,14 +160,14 @@ struct Options {
 
   bool visibleOnly = false;  ///< hidden layers and objects, and what is in hidden groups, are left out
 
-  /// Pixels, finite, 0 or more. If more, an open polyline that is one-way becomes a polygon: what lies up to so many
-  /// pixels below it. It must run from left to right, or back, and be nowhere upright. One-way is what says so by its
-  /// name, class or property, or that of its layer or tile: "one-way", "platform" or "jump-through".
+  /// Pixels, finite, 0 or more. If more, each segment of an open polyline becomes a polygon: what lies up to so many
+  /// pixels below it, or right of it if it is steeper than 45°.
   double polylineThickness = 0;
 
   /// The folder in which, or below which, the files lie that the map names. Empty: the map's folder; or, if importMap()
-  /// reads from the disk, the project's: projectFolder(). A name that leads out of it is an error, and so are absolute
-  /// names, names without the extension of their kind, and symbolic links out of it on the disk. Errors quote no text
+  /// reads from the disk, the project's: projectFolder(). Nothing is read by a name that leads out of it, by
+  /// an absolute one or one without the extension of its kind: a tileset is then as one that is missing, and a map or
+  /// level is an error. So are symbolic links out of it on the disk. Errors quote no text
   /// of files other than the map's own: an untrusted map could name private files.
   std::string filesIn = {};
 

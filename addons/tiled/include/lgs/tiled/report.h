@@ -106,7 +106,8 @@ struct Report {
 
   /// Of a map that decides what is solid, as no options do.
   std::string choice;   ///< what was taken and why, with the arguments that say so; empty if nothing was
-  std::string partial;  ///< what says that it is solid and was not taken, or is missing; empty if all was taken
+  std::string partial;  ///< what says that it is solid and was not taken, or is missing, or was asked for and is
+                        ///< not there; empty if all was taken
   std::string also;     ///< what else could be solid: weaker evidence than what was taken
   std::string leftOut;  ///< what was left out as it is deadly or passable: classes, names, layers, with their number
   std::vector<Suggestion> suggestions;  ///< what could be taken instead and gives something else, the likeliest first
