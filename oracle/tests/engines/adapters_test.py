@@ -19,7 +19,7 @@ PYTHONS = [sys.executable, "/usr/bin/python3"]  # Debian's packages are for Debi
 NODE = {"NODE_PATH": str(ROOT / "bench/polygon-clipping/node_modules")}
 PACKAGES = ENGINES / "node_modules"  # for modules, of which NODE_PATH says nothing
 
-# What an engine is assumed to be able to do, and the kinds of findings that there must be then; of regions some of them.
+# What an engine is assumed to be able to do, and the kinds of findings that there must be then; some of them of regions.
 LINKS = {"ghosts squares merged": {"wrong link"}}
 RUNS = {
     "shapely": {"several slants": set(), "ghosts several slants": {"wrong link"}},
@@ -80,7 +80,8 @@ def kinds(lgs, options, assumed):
     """The kinds of findings in 200 edits."""
     with tempfile.TemporaryDirectory() as folder:
         worlds = ["--case-edits", "15"] if "regions" in assumed else []  # all strokes are united anew at each commit
-        command = [lgs, "check", *options, *worlds, "--assume", assumed, "--edits", "200", "--shrink", "0", "--report", folder]
+        command = [lgs, "check", *options, *worlds, "--assume", assumed]
+        command += ["--edits", "200", "--shrink", "0", "--report", folder]
         done = subprocess.run(command, cwd=folder, env=os.environ | NODE, capture_output=True, text=True, check=False)
         report = pathlib.Path(folder, "report.md")
         if done.returncode not in (0, 1) or not report.is_file():
