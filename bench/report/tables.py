@@ -10,7 +10,7 @@ WORLDS = {"full": "full blocks", "ramp": "random ramps", "map": "the project's m
 NAMES = {
     "published-port": "the port as published",
     "published-port-new-sets": "the port, without the cost of clearing its sets",
-    "published-arrays": "the optimised one, as published",
+    "published-arrays": "the optimised one",
     "engine-bulk": "engine, by shapes, in one call",
     "engine-polygons": "**engine, by polygons**",
     "engine-shapes": "**engine, by shapes**",
