@@ -113,6 +113,7 @@ void XmlFile::parse() {
   if (start.starts_with('{') || start.starts_with('['))
     return readJson({name_, quoting_.own, reader_, error_}, text_, document_);
   const auto result = document_.load_buffer(text_.data(), text_.size());
+  if (result.encoding != pugi::encoding_utf8) text_.clear();  // places are those of the UTF-8 that it became
   if (result.status == pugi::status_no_document_element) return fail({}, isForeign("neither XML nor JSON"));
   if (!result)
     error_ = ImportError{name_, lineAt(result.offset), "", concat("is not well-formed XML: ", result.description())};
@@ -139,6 +140,7 @@ int XmlFile::line(pugi::xml_node node) const {
 }
 
 int XmlFile::lineAt(std::ptrdiff_t offset) const {
+  if (text_.empty()) return 0;
   return static_cast<int>(1 + std::count(text_.begin(), text_.begin() + offset, '\n'));
 }
 

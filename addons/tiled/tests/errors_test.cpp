@@ -7,6 +7,20 @@
 namespace lgs::tiled {
 namespace {
 
+/// pugixml turns UTF-16 into UTF-8, which may be longer; where an error stands in that is nowhere in the file.
+TEST(TiledErrors, ATextOfAnotherEncodingHasNoLines) {
+  const auto wide = [](const std::string& text) {
+    std::string bytes;
+    for (const char c : text) bytes += {c, '\0'};
+    return bytes;
+  };
+  EXPECT_EQ(refusalOf(wide("<map orientation='isometric'/>")),
+            "maps/test.tmx: <map> has the orientation 'isometric': only orthogonal maps have square cells");
+  std::string longer = wide("<map name='");
+  for (int k = 0; k < 50; ++k) longer += {'\0', '\x4E'};
+  EXPECT_THAT(refusalOf(longer), HasSubstr("maps/test.tmx: is not well-formed XML"));
+}
+
 TEST(TiledErrors, NameFileLineAndReason) {
   const std::string set = tilesetXml({kFullTile});
   const auto polygon = [](const std::string& points) {

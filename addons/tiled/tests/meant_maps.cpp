@@ -273,7 +273,9 @@ std::vector<MeantMap> meantMaps() {
       {"a layer called tile, and a larger one", mapOf(none, tiles("png", G) + tiles("tile", P)), P},
       {"buildings in a town", mapOf(none, tiles("Grass", B) + tiles("Decorations/Buildings", W)), W},
       {"trees and lamps of a layer called Obstacles",
-       mapOf(none, tiles("Street", B) + objects("Obstacles", figure(1, 1))), ".a....../......../......../........"},
+       mapOf(none, tiles("Street", B) + objects("Obstacles", "<object id='3' name='Lamp' gid='5' " + at(1, 1) +
+                                                                 " width='16' height='16'/>")),
+       ".a....../......../......../........"},
       {"a layer above a background that fills the map", mapOf(none, tiles("Layer 1", B) + tiles("Layer 2", U)), U},
       {"spawns are no offer", mapOf(none, spawns + tiles("main", U)), U},
       {"water is not the likeliest", mapOf(none, tiles("Water", S) + tiles("Tiles", P)), P},
