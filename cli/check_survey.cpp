@@ -170,7 +170,7 @@ Status SurveyRun::fix() const {
   for (const KnownMismatch& one : survey_->faults())
     one.trace.calls.empty() ? static_cast<void>(status = Status::mismatch) : now.push_back(one);
   const Status written = write(arguments_.survey.known, printKnown(now));
-  fmt::print("fixed      {}: {} gone, {} in all\n", arguments_.survey.known, gone_.size(),
+  fmt::print("fixed      {}: {} gone, {} in all (several may be of one bug)\n", arguments_.survey.known, gone_.size(),
              counted(now.size(), "trace"));
   return worst(status, written);
 }
@@ -181,7 +181,7 @@ void SurveyRun::print() const {
     const auto of = [&findings = entry.findings](State state) {
       return std::ranges::count(findings, state, &Survey::Finding::state);
     };
-    fmt::print("{}, {}; of the smallest traces {} are a fault, {} known, {} advice\n", kind,
+    fmt::print("{}, {}; smallest traces that differ: {} of a fault, {} known, {} of advice\n", kind,
                counted(entry.count, "time"), of(State::fault), of(State::known), of(State::advice));
     if (entry.onlyCounted() != 0) fmt::print("  {} of them were only counted, not shrunk\n", entry.onlyCounted());
     const auto fault = std::ranges::find(entry.findings, State::fault, &Survey::Finding::state);
