@@ -71,6 +71,7 @@ const char* describe(Feature feature) {
 }
 
 void note(const Scene& scene, Features& features) {
+  const auto isBeside = [](std::int64_t a, std::int64_t b) { return std::abs(a - b) <= 1; };
   Noter noter(features);
   std::map<Point, std::set<Cell>> corners;
   std::set<Block> blocks;
@@ -84,7 +85,7 @@ void note(const Scene& scene, Features& features) {
     }
     for (std::size_t l = 0; l < k; ++l) {
       const ScenePolygon& q = scene.polygons[l];
-      if (std::abs(p.cell.i - q.cell.i) <= 1 && std::abs(p.cell.j - q.cell.j) <= 1)
+      if (isBeside(p.cell.i, q.cell.i) && isBeside(p.cell.j, q.cell.j))
         noter.pair(edges[k], edges[l], p.cell == q.cell);
     }
   }
