@@ -21,7 +21,9 @@ TEST_F(BadEngines, Hangs) {
              "has not answered within 3 s (perhaps it is slow, and not stuck: it needed ", 3);
 }
 
-TEST_F(BadEngines, IsBusyForEver) { expectTold(naiveThat("while True: pass"), "has not answered within 3 s after edit", 3); }
+TEST_F(BadEngines, IsBusyForEver) {
+  expectTold(naiveThat("while True: pass"), "has not answered within 3 s after edit", 3);
+}
 
 TEST_F(BadEngines, Dies) { expectTold(naiveThat("os._exit(3)"), "the engine ended with status 3 after edit"); }
 
