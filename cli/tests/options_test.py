@@ -28,7 +28,7 @@ FILES = ["", " ", "{folder}", "{folder}/none/none", "/dev/null/x", "/proc/self/m
 # What an option takes, by the word for it in the help; and which answers to a number are good beside status 2.
 REALS = {"SECONDS", "CELLS", "F", "V", "PX", "PIXELS", "X Y"}
 WHOLES = {"N", "S", "K"}
-TEXTS = {"NAME", "NAME=NUMBER", "NAME[=VALUE]", "TEXT", "KIND", "WxH", "COMMAND", "'WORD ...'", "LETTERS", "CLASS"}
+TEXTS = {"NAME", "NAME=NUMBER", "NAME[=VALUE]", "TEXT", "KIND", "WxH", "COMMAND", "'WORD ...'", "LETTERS", "CLASS", "ADDRESS"}
 PATHS = {"FILE", "FILE...", "FOLDER", "FOLDER...", "FILE.lgs", "DIR", "TRACE", "FILE.so", "MAP"}
 ENGINES = {"--engine", "--engine-so"}  # the only options with which a mismatch is an answer
 
@@ -42,7 +42,7 @@ COMMANDS = {
     "ride": [str(WORLD), "--steps", "3"],
 }
 WITH_MAP = ["--map", str(MAP)]
-OF_ENGINES = ["--engine-timeout", "--assume", "--report", "--known", "--replay", "--json", "--junit", "--laws"]
+OF_ENGINES = ["--engine-timeout", "--assume", "--report", "--known", "--replay", "--json", "--junit", "--laws", "--site"]
 NEEDS = {option: ["--engine", "true"] for option in OF_ENGINES} | {"--whole-every": WITH_MAP}
 
 

@@ -47,7 +47,7 @@ bool Budget::tile(const Tileset& tileset, std::uint32_t id) {
   return work(steps);
 }
 
-bool Budget::strokeInCell(std::size_t vertices) { return work(2'000 + 32 * square(vertices)); }
+bool Budget::strokeInCell(std::size_t vertices) { return work(4'500 + 32 * square(vertices)); }
 
 bool Budget::stroke(const Polygon& ring) {
   const Box box = boundingBox(ring);

@@ -35,7 +35,7 @@ TEST(TiledBudget, AStroke) {
   EXPECT_FALSE(eight.stroke(box));
   EXPECT_TRUE(eight.isOutOfCells());
   // 12 edges in cells: 4 of the 8 cells along the rim have one edge in them, 4 have two.
-  constexpr std::size_t kSteps = 12 * 100 + 8 * 2'000 + 32 * (4 * 1 + 4 * 4);
+  constexpr std::size_t kSteps = 12 * 100 + 8 * 4'500 + 32 * (4 * 1 + 4 * 4);
   for (const std::size_t less : {std::size_t{0}, std::size_t{1}}) {
     Budget exact(with(0, kSteps - less, 9));
     EXPECT_EQ(exact.stroke(box), less == 0);

@@ -77,11 +77,12 @@ def engine(name, files):
 
 
 def kinds(lgs, options, assumed):
-    """The kinds of findings in 200 edits."""
+    """The kinds of findings in some edits."""
     with tempfile.TemporaryDirectory() as folder:
         worlds = ["--case-edits", "15"] if "regions" in assumed else []  # all strokes are united anew at each commit
         command = [lgs, "check", *options, *worlds, "--assume", assumed]
-        command += ["--edits", "200", "--shrink", "0", "--report", folder]
+        edits = "800" if "--engine-so" in options else "200"  # which is quick
+        command += ["--edits", edits, "--shrink", "0", "--report", folder]
         done = subprocess.run(command, cwd=folder, env=os.environ | NODE, capture_output=True, text=True, check=False)
         report = pathlib.Path(folder, "report.md")
         if done.returncode not in (0, 1) or not report.is_file():
