@@ -123,7 +123,7 @@ Pieces cutAtEnds(PieceSpan pieces) {
 /// A piece, and how often it is there.
 struct Repeated {
   Piece piece;
-  std::int64_t times;
+  std::int64_t times = 0;
 };
 
 /// Pieces of lines between cells, sorted along each line, are joined where no edge of the region ends: a spike ended
