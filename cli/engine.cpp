@@ -74,7 +74,7 @@ std::unique_ptr<Engine> startEngine(const EngineArguments& arguments) {
   const auto program = arguments.loaded ? serving(arguments.loaded) : shell(arguments.command);
   auto engine = ProcessEngine::start({program, std::chrono::duration<double>(arguments.patience()), arguments.verbose});
   if (!engine) {
-    fmt::print(stderr, "lgs: there is no engine to check: {}", inWords(engine.error(), ""));
+    fmt::print(stderr, "lgs: there is no engine to check: {}", inWords(engine.error()));
     return nullptr;
   }
   if (arguments.assumed) (*engine)->assume(*arguments.assumed);

@@ -36,8 +36,8 @@ std::vector<Call> acrossSlivers(Cell cell, const std::vector<Block>& blocks, Ran
 struct StrokeHabits {
   std::vector<Block> blocks;        ///< at least one
   std::optional<Tight> tight = {};  ///< where all strokes are
-  std::vector<std::vector<Point>> last =
-      {};  ///< rings: an edge may pass a corner of them, or a corner one of their edges
+  /// Rings of the stroke before: an edge may pass one of their corners, or a corner one of their edges.
+  std::vector<std::vector<Point>> last = {};
   /// For an engine that takes regions they are even-odd, go around nothing, and are fit for what it can.
   Capabilities can = Capabilities::all();
 };

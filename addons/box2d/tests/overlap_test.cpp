@@ -7,8 +7,7 @@
 namespace lgs::box2d_test {
 namespace {
 
-using box2d::OnOverlap;
-using box2d::Overlap;
+using box2d::OnOverlap, box2d::Overlap;
 using box2d::Terrain;
 
 class Box2dOverlap : public EitherBox2d {

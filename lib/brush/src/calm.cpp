@@ -21,7 +21,7 @@ bool crosses(const Side& side, const Segment& part) {
   return (*pixel != part.start && *pixel != part.end) || (*pixel != side.low && *pixel != side.high);
 }
 
-/// Whether this is the chain, or a part of it, that a part of the region's edge becomes.
+/// Whether a side is the piece of a chain that this part of the region's edge becomes. Both are cut at all known points.
 bool isChainOf(const Side& side, const Segment& part) {
   return (part.start == side.low && part.end == side.high) || (part.start == side.high && part.end == side.low);
 }
