@@ -75,6 +75,20 @@ void build(std::size_t times) {
   }
 }
 
+/// The same by the vertices of each polygon, of which there is no shape.
+template <Ground ground>
+void buildByPolygons(std::size_t times) {
+  const std::vector<Placement> all = placements(ground);
+  for (; times != 0; --times) {
+    World world;
+    for (const Placement& p : all) {
+      const std::span<const LocalPoint> ramp = kRamps[p.shape.value - 1];
+      must(world.add(p.cell, ground == Ground::full ? kUnitSquare : ramp, p.block).map([](PolygonHandle) {}));
+    }
+    world.commit();
+  }
+}
+
 /// A polygon goes, and comes back. A commit follows each of the two, and what `view` does with its changes.
 template <Ground ground, class View>
 void edit(std::size_t times) {
@@ -136,11 +150,13 @@ struct Loop {
   void (*run)(std::size_t times);
   std::size_t (*steps)(std::size_t times);
 };
-constexpr std::array<Loop, 10> kLoops{{{"edit-full", edit<Ground::full, NoView>, each<2 * kEdits>},
+constexpr std::array<Loop, 12> kLoops{{{"edit-full", edit<Ground::full, NoView>, each<2 * kEdits>},
                                        {"edit-ramps", edit<Ground::ramps, NoView>, each<2 * kEdits>},
                                        {"edges-full", edit<Ground::full, Edges>, each<2 * kEdits>},
                                        {"edges-ramps", edit<Ground::ramps, Edges>, each<2 * kEdits>},
                                        {"add-full", build<Ground::full, addOneByOne>, each<kCells>},
+                                       {"polygons-full", buildByPolygons<Ground::full>, each<kCells>},
+                                       {"polygons-ramps", buildByPolygons<Ground::ramps>, each<kCells>},
                                        {"bulk-full", build<Ground::full, addAtOnce>, each<kCells>},
                                        {"bulk-ramps", build<Ground::ramps, addAtOnce>, each<kCells>},
                                        {"never-seen", neverSeen, each<1>},

@@ -48,10 +48,10 @@ Catalogue::Catalogue() {
 }
 
 Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
+  const auto isIt = [&](PolygonId id) { return std::ranges::equal(polygons_[id].vertices, vertices); };
+  if (lastPolygon_ < polygons_.size() && !vertices.empty() && isIt(lastPolygon_)) return lastPolygon_;
   const std::uint64_t hash = hashOf(polygonIndex_.seed(), vertices);
-  const std::uint32_t found =
-      polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id].vertices, vertices); });
-  if (found != HashIndex::kNone) return found;
+  if (const std::uint32_t found = polygonIndex_.find(hash, isIt); found != HashIndex::kNone) return lastPolygon_ = found;
   if (const auto defect = findDefect(vertices))
     return refuse({.code = defect->code, .polygon = 0, .vertex = defect->vertex, .vertex2 = defect->vertex2});
   InternedPolygon polygon;
@@ -97,6 +97,7 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   uses_[id] = {.users = 0, .facts = facts};
   contentIndex_.insert(hash, id);
   for (const PolygonId polygon : polygons) acquire(polygons_[polygon].users);
+  if (polygons.size() == 1) polygons_[polygons[0]].sole = id;
   ++unused_;
   return id;
 }
@@ -159,6 +160,7 @@ void Catalogue::forgetContent(ContentId id) {
   const auto content = std::exchange(contents_[id], nullptr);
   contentIndex_.erase(content->hash, id);
   for (const PolygonId polygon : content->polygons) drop(polygons_[polygon].users);
+  if (content->polygons.size() == 1) polygons_[content->polygons[0]].sole = kEmptyContent;
   --unused_;
   freeContents_.push_back(id);
 }

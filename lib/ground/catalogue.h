@@ -48,6 +48,8 @@ class Catalogue {
   std::uint32_t widestFan() const { return widestFan_; }
   Facts facts(ContentId id) const { return uses_[id].facts; }
   PolygonView vertices(PolygonId id) const { return polygons_[id].vertices; }
+  /// The content with this polygon alone; kEmptyContent if there is none.
+  ContentId sole(PolygonId id) const { return polygons_[id].sole; }
   /// Valid until the next shape is made. Without polygons if the id is none of ours.
   const InternedShape& shape(ShapeId id) const { return shapes_[id.value < shapes_.size() ? id.value : 0]; }
 
@@ -99,7 +101,8 @@ class Catalogue {
   struct InternedPolygon {
     std::vector<LocalPoint> vertices;
     std::uint64_t hash = 0;
-    std::uint32_t users = 0;  ///< contents
+    std::uint32_t users = 0;         ///< contents
+    ContentId sole = kEmptyContent;  ///< the content with it alone
   };
 
   /// What edits ask of a content. It stands apart from the rest, so that they touch little memory.
@@ -128,6 +131,7 @@ class Catalogue {
   std::vector<InternedShape> shapes_{InternedShape{}};    ///< by ShapeId, whose 0 names none
   std::map<std::vector<PolygonId>, ShapeId, PolygonsLess> shapeIndex_;
   HashIndex polygonIndex_;
+  PolygonId lastPolygon_ = 0;  ///< found last: neighbours are often alike
   HashIndex contentIndex_;
   std::vector<PolygonId> freePolygons_;
   std::vector<ContentId> freeContents_;

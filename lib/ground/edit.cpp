@@ -134,6 +134,13 @@ Expected<PolygonHandle> Edit::add(Cell cell, PolygonView polygon, Block block) {
   ground_.catalogue.collect();
   const auto id = ground_.catalogue.internPolygon(polygon);
   if (!id) return refuse(id.error(), cell);
+  const ContentId sole = ground_.catalogue.sole(*id);
+  const CellAt at = ground_.grid.findLast(cell);
+  if (at && sole != kEmptyContent && at.word() < kLowMask) {  // the cell has nothing, and gets what others have
+    const Placed placed{at.word() + 1, block};
+    ground_.set(at, sole, placed.serial, {&placed, 1});
+    return PolygonHandle{at.ref(), placed.serial};
+  }
   open(cell);
   place(*id, block);
   return close();
