@@ -64,6 +64,7 @@ std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
   grid.forEachUnloaded(cells, [&](std::uint32_t number) {
     const Border& border = *grid.border(number);
     const Cell here{std::max(border.ci * kChunkSize, cells.min.i), std::max(border.cj * kChunkSize, cells.min.j)};
+    if (!inRange(here)) return;  // of a chunk at the end of the world
     if (!first || std::pair(here.j, here.i) < std::pair(first->j, first->i)) first = here;
   });
   return first;

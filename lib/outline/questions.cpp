@@ -80,7 +80,8 @@ void forEachHidden(const Grid& grid, const Outline& outline, const CellRect& cel
   const auto see = [&](std::int32_t ci, std::int32_t cj, std::uint32_t number) {
     if (!outline.hidden().are(number)) return;
     const Cell first{ci * kChunkSize, cj * kChunkSize};
-    visit(CellRect{first, {first.i + kChunkSize - 1, first.j + kChunkSize - 1}});
+    visit(
+        CellRect{first, {std::min(first.i + kChunkSize - 1, kMaxCell), std::min(first.j + kChunkSize - 1, kMaxCell)}});
   };
   if (reach.count() > grid.highest()) {
     for (std::uint32_t number = 1; number <= grid.highest(); ++number)
@@ -187,7 +188,7 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
       [&](CellIndex cell) {
         if (outline.hidden().any() && outline.hidden().are(grid.numberAt(cellOf(cell).i >> 5, cellOf(cell).j >> 5))) {
           Fraction at;
-          if (!meets(ray, cell, at) || (unseen && unseenAt <= at)) return;
+          if (!inRange(cellOf(cell)) || !meets(ray, cell, at) || (unseen && unseenAt <= at)) return;
           unseenAt = at;
           unseen = cellOf(cell);
           return;

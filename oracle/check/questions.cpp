@@ -68,7 +68,8 @@ Point inTheWorld(std::int64_t x, std::int64_t y) {
 
 /// Whether a question had to look where nothing is in memory.
 bool isRightlyUnseen(const World& world, const Error& error) {
-  return error.code == ErrorCode::unloaded && world.firstUnloaded({error.cell, error.cell}) == error.cell;
+  return error.code == ErrorCode::unloaded && inRange(error.cell) &&
+         world.firstUnloaded({error.cell, error.cell}) == error.cell;
 }
 
 /// The square of the distance.

@@ -35,6 +35,29 @@ TEST(Groups, ACommitThatFindsNothingEndsNone) {
   }
 }
 
+// A chunk that left is something to find, and a roll-back that shows it finds it, too.
+TEST(Groups, WhatShowsThatAChunkLeftEndsThem) {
+  for (const bool isRolledBack : {false, true}) {
+    World world;
+    place(world, {40, 0}, unitSquare());
+    world.commit();
+    {
+      const Transaction group = world.edit();
+      const Mark within = world.checkpoint();
+      ASSERT_TRUE(world.unload({{32, 0}, {63, 31}}, {}));
+      if (isRolledBack)
+        ASSERT_TRUE(world.rollBack(within));
+      else
+        world.commit();
+      EXPECT_EQ(world.segments().size(), 0U);
+      place(world, {5, 5}, unitSquare());
+    }
+    EXPECT_FALSE(world.isEmpty({5, 5})) << isRolledBack;
+    world.commit();
+    EXPECT_EQ(world.segments().size(), 4U);
+  }
+}
+
 TEST(Groups, ACommitThatFindsNothingEndsNoRedo) {
   for (const bool isFollowed : {false, true}) {
     World world;

@@ -281,7 +281,7 @@ class World {
 
   /// What the last rollBack() or rollForward() did to the segments, after all commits before it: the three lists
   /// of a commit, by id. One thing is different: an id that named one segment and names another one now is removed, and
-  /// then added.
+  /// then added. The lists are empty after a commit.
   const Changes& changesOfRollBack() const noexcept;
 
   /// Lets go of a mark. Other marks stay. Refused: unknownMark, also for a mark ahead, and for one that was ahead when
@@ -499,7 +499,9 @@ bool samePolygons(const World& a, const World& b) noexcept;
 ///   group.keep();
 ///
 /// A commit keeps what was edited before it, and ends the group: what follows is not undone. A commit that finds
-/// nothing to do, since no cell was edited after the commit before it, ends no group. The world must not be moved,
+/// nothing to do, since after the commit before it no cell was edited and no chunk left memory or came back, ends no
+/// group. Going back or forward, to a mark made within the group, shows such chunks at once: then it ends the group, as
+/// that commit would. The world must not be moved,
 /// assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
 class Transaction {
  public:
