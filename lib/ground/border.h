@@ -1,5 +1,5 @@
-// What stays known of a chunk that is unloaded: the cells at its rim, which the chunks beside it need, and the cells to
-// which somebody may go back. Segments of loaded chunks end on the rim, and so do those of the rim's cells that they are
+// What stays known of a chunk that is unloaded: the cells at its rim, which the chunks beside it need, and the cells
+// that there are notes of. Segments of loaded chunks end on the rim, and so do those of the rim's cells that they are
 // linked to. The other cells have no say.
 #pragma once
 
@@ -44,7 +44,7 @@ struct Border {
     CellWord word = 0;
     Block block = 0;
   };
-  /// A cell of which this is known, and not what its bytes say. At the rim the word is where those of the rim are.
+  /// A cell of which this is known, and not what its bytes say. At the rim `word` is unused.
   struct Kept {
     std::uint32_t local = 0;
     CellWord word = 0;
@@ -55,10 +55,10 @@ struct Border {
   std::int32_t cj = 0;
   std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
   std::uint32_t lastSerial = 0;  ///< the greatest one that any of its cells gave out
-  bool isAwake = true;           ///< the chunk's cells at the rim hold what they held; otherwise `runs` says it
+  bool isAwake = true;           ///< the Chunk has the cells at the rim; otherwise `runs` has them
   bool bytesAreStale = false;    ///< the world went back or forward since: of the cells in `kept` the bytes are wrong
   std::vector<Run> runs;
-  std::vector<Kept> kept;  ///< by cell: all of which there are notes
+  std::vector<Kept> kept;  ///< by cell: those that there are notes of, and maybe some of before
 
   Kept& keptAt(std::uint32_t local) {
     const auto found = std::ranges::lower_bound(kept, local, {}, &Kept::local);

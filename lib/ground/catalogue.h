@@ -31,7 +31,7 @@ struct PolygonsLess {
   }
 };
 
-/// The content of a shape is never forgotten, so nobody counts the cells that have it.
+/// The content of a shape is never forgotten, so the cells that have it are not counted.
 struct InternedShape {
   ContentId content = kEmptyContent;  ///< with nothing preserved
   Facts facts = 0;                    ///< of the content
@@ -47,7 +47,10 @@ class Catalogue {
   /// How many interior half-edges meet at most in one vertex on the rim, in all contents that there ever were.
   std::uint32_t widestFan() const { return widestFan_; }
   Facts facts(ContentId id) const { return uses_[id].facts; }
-  PolygonView vertices(PolygonId id) const { return polygons_[id].vertices; }
+  PolygonView vertices(PolygonId id) const {
+    assert(id < polygons_.size());
+    return polygons_[id].vertices;
+  }
   /// The content with this polygon alone; kEmptyContent if there is none.
   ContentId sole(PolygonId id) const { return polygons_[id].sole; }
   /// Valid until the next shape is made. Without polygons if the id is none of ours.
@@ -64,7 +67,7 @@ class Catalogue {
 
   bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
-  /// Who uses a content: its users, or nothing if nobody counts them.
+  /// How many cells use a content; nothing if they are not counted.
   std::optional<std::uint32_t> users(ContentId id) const {
     return uses_[id].users == kForever ? std::nullopt : std::optional(uses_[id].users);
   }
@@ -111,8 +114,8 @@ class Catalogue {
     Facts facts = 0;          ///< as in the content
   };
 
-  /// The users of a content that a shape has. Shapes are never forgotten, so nobody counts the cells of such a content:
-  /// that saves the usual edit a look-up.
+  /// The users of a content that a shape has. Shapes are never forgotten, so the cells of such a content are not
+  /// counted: that saves the usual edit a look-up.
   static constexpr std::uint32_t kForever = 0xffff'ffff;
 
   /// Blames the first of these polygons that overlaps one before it.

@@ -38,7 +38,7 @@ void CellChanges::leaves(const Ground& ground, Journal::Moment commit, std::uint
   }
 }
 
-void CellChanges::forgetTurns() {
+void CellChanges::forgetStreamed() {
   wasLoaded_.clear();
   left_.clear();
 }
@@ -50,7 +50,7 @@ bool CellChanges::wasLoaded(const Ground& ground, std::uint32_t chunk) const {
 
 /// Cells of which there is no note since the commit: they are the same, and maybe loaded no more, or again; or they were
 /// given up since.
-void CellChanges::readTurned(const Ground& ground, Journal::Moment commit) {
+void CellChanges::readStreamed(const Ground& ground, Journal::Moment commit) {
   std::vector<PlacedPolygon> polygons, now;
   const auto isNoted = [&](std::uint32_t ref) { return ground.journal.isNotedSince(commit, Thing::cell, ref); };
   for (const LeftCell& cell : left_) {
@@ -124,9 +124,9 @@ void CellChanges::read(Ground& ground, Journal::Moment commit, Way way) {
     if (!is) now.clear();
     add(ground.grid.cellOfAny(note.key), then, now);
   }
-  readTurned(ground, commit);
+  readStreamed(ground, commit);
   own();
-  forgetTurns();
+  forgetStreamed();
 }
 
 // What lies one behind the other is found again by its sizes alone, which the spans have, whatever they point to.

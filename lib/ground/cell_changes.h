@@ -1,5 +1,5 @@
 // What a commit or a roll-back changed, cell by cell, as values. The vertices are copies: contents may be forgotten,
-// and a world may be copied. Cells of chunks that leave memory and come back change, too, for those who follow.
+// and a world may be copied. Cells of chunks that leave memory and come back change, too, for followers.
 #pragma once
 
 #include "ground/ground.h"
@@ -34,8 +34,8 @@ class CellChanges {
   void leaves(const Ground& ground, Journal::Moment commit, std::uint32_t chunk);
   /// A chunk has come back.
   void comesBack(std::uint32_t chunk) { wasLoaded_.emplace(chunk, false); }
-  /// Nobody need be told which chunks have left or come back.
-  void forgetTurns();
+  /// Which chunks have left or come back is reported no more.
+  void forgetStreamed();
 
   /// Tells what is different between the ground as it was told last and as it is to be told now. The one is that of a
   /// commit, which the journal knows, the other the ground as it is: the world went from the former to the latter, or
@@ -57,7 +57,7 @@ class CellChanges {
   };
 
   bool wasLoaded(const Ground& ground, std::uint32_t chunk) const;
-  void readTurned(const Ground& ground, Journal::Moment commit);
+  void readStreamed(const Ground& ground, Journal::Moment commit);
   void nameEach(const Ground& ground, std::span<const std::uint32_t> streamed);
   /// After the last one own() must be called. Until then the vertices must stay where they are.
   void add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now);

@@ -60,7 +60,7 @@ Cells::ChangedCells Cells::changedCells() const {
   return cells;
 }
 
-void Cells::setUnchanged(CellAt at) {
+void Cells::setClean(CellAt at) {
   Chunk& chunk = *at.chunk;
   RowMask& row = chunk.dirty[at.row()];
   assert((row & at.bit()) != 0);

@@ -92,7 +92,7 @@ class Cells {
  protected:  // for the ground, whose primitive goes through them
   void touch(CellAt at, Facts facts) {
     if (at.chunk->dirtyRows == 0) changed_.push_back(at.chunk);
-    mark(at, facts);
+    setDirty(at, facts);
   }
   void touchAll(Chunk& chunk) {
     if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
@@ -100,7 +100,7 @@ class Cells {
     chunk.dirty.fill(~RowMask{0});
   }
   /// In a chunk that has changed already.
-  static void mark(CellAt at, Facts facts) {
+  static void setDirty(CellAt at, Facts facts) {
     Chunk& chunk = *at.chunk;
     chunk.dirtyRows |= RowMask{1} << at.row();
     chunk.dirty[at.row()] |= at.bit();
@@ -109,7 +109,7 @@ class Cells {
   }
   /// An edit is undone before which a cell had not changed. Edits are undone in reverse order: so a chunk without
   /// changed cells is the last of changedChunks().
-  void setUnchanged(CellAt at);
+  void setClean(CellAt at);
   /// No cell has changed; from now on these have.
   void setChangedCells(const ChangedCells& cells);
   /// From now on no cell has changed.

@@ -65,6 +65,7 @@ struct Chunk {
   }
   /// There is room for it.
   void setBlockThere(std::uint32_t local, Block block) {
+    assert(hasRoomFor(block));
     if (blocks) (*blocks)[local] = block;
   }
   Cell cell(std::uint32_t local) const { return cellIn(ci, cj, local); }
@@ -93,6 +94,7 @@ struct CellAt {
 /// The cell in column x and row y of a chunk, -32 … 63 each: it may be in a chunk beside this one. If there is no such
 /// chunk, the result has none.
 inline CellAt cellAt(const Chunk& chunk, std::int32_t x, std::int32_t y) {
+  assert(x >= -kChunkSize && x < 2 * kChunkSize && y >= -kChunkSize && y < 2 * kChunkSize);
   return {chunk.neighbour(x >> 5, y >> 5), localOf({x, y})};
 }
 

@@ -201,21 +201,17 @@ Expected<void> Edit::setBlock(PolygonHandle polygon, Block block) {
   return close().map([](PolygonHandle) {});
 }
 
-Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block block,
-                                   std::span<PolygonHandle> handles) {
-  if (lgs::isEmpty(cells)) return std::uint64_t{0};
-  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
-  if (const auto done = check(cells.min, shape); !done) return refuse(done.error());
-  const InternedShape& interned = ground_.catalogue.shape(shape);
-  const ChunkRect reach(cells);
-  std::uint64_t missing = reach.count();
+/// Whether each cell of a rectangle can take a shape; a refusal blames the first one, by rows. Cells that have a chunk and
+/// polygons, or few serials left, are asked one by one. All others are alike, so one of them is asked for all.
+Expected<void> Edit::checkFill(const CellRect& cells, ShapeId shape, Block block) {
+  if (const auto done = checkCorners(cells); !done) return done;
+  if (const auto done = check(cells.min, shape); !done) return done;
+  std::uint64_t missing = ChunkRect(cells).count();
   ground_.grid.forEachChunk(cells, [&](const Chunk&) { --missing; });
   if (missing > kMaxChunks - ground_.grid.count()) return refuse({.code = ErrorCode::capacity, .cell = cells.min});
 
-  // First every cell is asked, so that nothing is changed if one refuses. What is worked out stays interned. Cells
-  // without polygons, which have room for many serials, are alike: so one of them is asked for all.
   const auto placeAll = [&] {
-    for (const PolygonId polygon : interned.polygons) place(polygon, block);
+    for (const PolygonId polygon : ground_.catalogue.shape(shape).polygons) place(polygon, block);
   };
   entries_.clear();
   placeAll();
@@ -230,7 +226,15 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
     if (const auto done = check(); !done) refusal = done.error();
   });
   if (refusal) return refuse(*refusal);
+  return {};
+}
 
+Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block block,
+                                   std::span<PolygonHandle> handles) {
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  if (const auto done = checkFill(cells, shape, block); !done) return refuse(done.error());
+  const InternedShape& interned = ground_.catalogue.shape(shape);
+  const ChunkRect reach(cells);
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
     for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.obtain({ci * kChunkSize, cj * kChunkSize});
   const std::int64_t width = std::int64_t{cells.max.i} - cells.min.i + 1;

@@ -58,6 +58,7 @@ class Edit {
   static bool takesSole(CellAt at, const InternedShape& shape) { return shape.isSole && at.word() < kLowMask; }
   bool addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles);
   Expected<void> check(Cell cell, ShapeId shape) const;
+  Expected<void> checkFill(const CellRect& cells, ShapeId shape, Block block);
 
   // An edit of one cell: its polygons become `entries_`, which are changed, and set.
   void open(Cell cell);

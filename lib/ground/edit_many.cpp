@@ -39,7 +39,8 @@ std::int32_t entryThatPlaced(const Ground& ground, std::span<const Placement> pl
   return -1;
 }
 
-/// Nobody keeps the handle of a polygon that the call placed and takes back: the entry that placed it says which.
+/// The caller never got the handle of a polygon that the call placed and takes back: so the error names the entry that
+/// placed it.
 Error nameEntry(const Ground& ground, std::span<const Placement> placed, Error error) {
   if (!error.other) return error;
   error.index2 = entryThatPlaced(ground, placed, error.other);

@@ -89,7 +89,7 @@ void Ground::takeBack(Journal::Moment moment) {
   journal.undoTo(
       moment, Undone::drop,
       [this](Note& note) {
-        if (note.thing == Thing::cell && note.wasClean) setUnchanged(grid.find(note.key));
+        if (note.thing == Thing::cell && note.wasClean) setClean(grid.find(note.key));
         exchange(note);
       },
       [this](const Note& note) { drop(note); });

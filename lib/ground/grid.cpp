@@ -3,6 +3,7 @@
 #include <lgs/world.h>
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 
 namespace lgs::detail {
@@ -62,6 +63,7 @@ Chunk* Grid::findChunk(Cell cell) const {
 
 Chunk* Grid::obtainChunk(Cell cell) {
   if (Chunk* found = findChunk(cell)) return remember(found);
+  assert(!isFull() && !isUnloaded(cell));
   auto chunk = std::make_unique<Chunk>();
   chunk->ci = cell.i >> 5;
   chunk->cj = cell.j >> 5;
@@ -105,6 +107,7 @@ void Grid::unlink(const Chunk& chunk) {
 }
 
 void Grid::forget(std::uint32_t number) {
+  assert(placeOf(number));
   const auto [ci, cj] = *placeOf(number);
   index_.erase(hashOf(index_.seed(), ci, cj), number);
   sleep(number);
@@ -142,6 +145,7 @@ Border Grid::load(Chunk& chunk) {
 }
 
 Chunk& Grid::wake(std::uint32_t number) {
+  assert(placeOf(number));
   if (!chunks_[number]) {
     auto chunk = std::make_unique<Chunk>();
     chunk->ci = borders_[number]->ci;

@@ -61,9 +61,9 @@ struct Chunks {
   ChunkIterator end() const { return last; }
 };
 
-/// What is known of a place: `none`, where no edit ever was, or that was forgotten; an unloaded chunk is `asleep` while
-/// no loaded one is beside it, and takes no more memory than its border then.
-enum class ChunkState : std::uint8_t { none, loaded, unloaded, asleep };
+/// What is known of a place: `none`, where no edit ever was, or that was forgotten. An unloaded chunk is `awake` while a
+/// loaded one is beside it, and otherwise `asleep`: then it takes no more memory than its border.
+enum class ChunkState : std::uint8_t { none, loaded, awake, asleep };
 
 class Grid {
  public:
@@ -93,7 +93,10 @@ class Grid {
     return {chunks_[index].get(), cellRef % kChunkCells};
   }
   /// Of a chunk that is not asleep.
-  Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells); }
+  Cell cellOf(std::uint32_t cellRef) const {
+    assert(cellRef / kChunkCells < chunks_.size() && chunks_[cellRef / kChunkCells]);
+    return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells);
+  }
   /// The same of any chunk with a number that is in use.
   Cell cellOfAny(std::uint32_t cellRef) const {
     const auto [ci, cj] = *placeOf(cellRef / kChunkCells);
@@ -106,7 +109,7 @@ class Grid {
   std::optional<std::pair<std::int32_t, std::int32_t>> placeOf(std::uint32_t number) const;
   ChunkState stateOf(std::uint32_t number) const {
     if (number >= chunks_.size()) return ChunkState::none;
-    if (border(number)) return chunks_[number] ? ChunkState::unloaded : ChunkState::asleep;
+    if (border(number)) return chunks_[number] ? ChunkState::awake : ChunkState::asleep;
     return chunks_[number] ? ChunkState::loaded : ChunkState::none;
   }
   /// Of a chunk that is not asleep.
@@ -215,8 +218,8 @@ class Grid {
   std::size_t count_ = 0;               ///< of numbers in use
   std::size_t unloaded_ = 0;
   HashIndex index_;
-  // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so who
-  // finds a cell there need not ask.
+  // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so
+  // what finds a cell there need not ask.
   Chunk* last_ = nullptr;
 };
 

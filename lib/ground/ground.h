@@ -54,7 +54,7 @@ class Ground : public Cells {
     if (journal.isOn() || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
     at.word() = wordOf(shape.content, sole.serial);
     at.chunk->setBlockThere(at.local, sole.block);
-    mark(at, shape.facts);
+    setDirty(at, shape.facts);
     return true;
   }
   /// The same for many, in two steps, while nothing is noted: the words are written first, and may be put back.

@@ -10,7 +10,7 @@ namespace lgs::detail {
 
 inline tl::unexpected<Error> refuse(const Error& error) { return tl::unexpected(error); }
 
-/// Refuses with an error that was found where nobody knew the cell.
+/// Refuses with an error that was found where the cell is not known.
 inline tl::unexpected<Error> refuse(Error error, Cell cell) {
   error.cell = cell;
   return tl::unexpected(error);

@@ -1,12 +1,12 @@
-// Chunks that leave memory, and come back: which the ground has, and not what it is. So no note of a cell says
-// it, and no roll-back crosses it; the next commit notes which outlines it renewed (Thing::streamed).
+// Chunks leave memory, and come back. That changes which chunks are here, and not what the ground is: so no cell is noted
+// for it, and no roll-back undoes it; the next commit notes which outlines it renewed (Thing::streamed).
 //
 // Of an unloaded chunk the border stays known (border.h). While a loaded chunk is beside it, its cells at the rim hold
 // what they held, so that a commit can show and link them as ever: what is loaded gets the segments and ghosts that it
 // has in the whole world (law 14). Otherwise it is asleep. Going back changes what a cell is, loaded or not: of each
 // cell that there is a note of the border keeps what it is, and not what the bytes say.
 //
-// Chunks that were streamed, in or out, go into one list of work. The next commit does it all, in the order of places.
+// What is to be done goes into lists of work (ground.h). The next commit does it all, in the order of places.
 #include "geometry/sort.h"
 #include "ground/ground.h"
 
@@ -274,7 +274,7 @@ void Ground::refreshRim(std::uint32_t number) {
 std::vector<std::uint32_t> Ground::sleep() {
   std::vector<std::uint32_t> asleep = std::exchange(sleepy_, {});
   std::erase_if(asleep, [&](std::uint32_t number) {
-    return grid.stateOf(number) != ChunkState::unloaded || grid.border(number)->isAwake;
+    return grid.stateOf(number) != ChunkState::awake || grid.border(number)->isAwake;
   });
   for (const std::uint32_t number : asleep) grid.sleep(number);
   return asleep;

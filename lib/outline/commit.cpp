@@ -60,7 +60,7 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
     Exposure phase1(ground, *this, ids_);
     visitChanged(*this, ground.changedChunks(), [&](const Chunk& chunk) { phase1.renewChunk(chunk); });
     if (journal_) [[unlikely]]
-      noteAdded();
+      noteAdded();  // before phase 2 changes their records
     Linking phase2(ground, *this, fan_);
     visitChanged(*this, ground.changedChunks(), [&](const Chunk& chunk) { phase2.linkChunk(chunk); });
   }

@@ -48,7 +48,7 @@ inline void fetchCells(const Outline& outline, CellAt at) {
 inline void fetchLists(const Outline& outline, CellAt at) {
   outline.lists.forEachAround(at, [](CellSegments list) { prefetch(list.ids()); });
 }
-/// Of each list the first three; most cells have no more. A branch on how many there are nobody would foresee.
+/// Of each list the first three; most cells have no more. A branch on how many there are would be mispredicted.
 inline void fetchSegments(const Outline& outline, CellAt at) {
   outline.lists.forEachAround(at, [&](CellSegments list) {
     for (std::uint32_t k = 0; k < 3; ++k) prefetch(&outline.segments[list.ids()[k < list.count() ? k : 0]]);

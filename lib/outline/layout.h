@@ -27,8 +27,19 @@ constexpr Touching touching(unsigned side, std::int32_t begin, std::int32_t end)
   return (starts ? 0x01u : 0u) << side | (ends ? 0x10u : 0u) << side;
 }
 
-/// The words at the beginning of a list. Most cells show few segments. Then there is also room to say with which of
-/// them the fans of the cell's corners begin and end, and that is all that a commit has to know of them at a corner.
+/// The words at the beginning of a list, before the ids: where each part ends, what is touched, and, if the segments
+/// are few, with which of them the fans of the cell's corners begin and end. That is all that a commit has to know of
+/// them at a corner.
+///
+///            31           24 23   16 15              0
+///            ┌──────────────┬───────┬────────────────┐
+///   words 2  │ bit 24: whole│Touching│ count of ids  │   whole: one segment along each side that is touched
+///            └──────────────┴───────┴────────────────┘
+///   few      word 0: last of corner 3…0 │ first of corner 3…0   4 bits each: a place counted from 1, or 0 for none
+///            word 1: the ends of the parts north, east, south, interior, 4 bits each
+///   many     word 0: end of south │ end of interior   word 1: end of north │ end of east   16 bits each
+///
+/// The west part ends where the ids do.
 class Layout {
  public:
   static constexpr std::uint32_t kWords = 3;

@@ -36,8 +36,6 @@ class Outline {
 
   /// Of the last update, without the segments that are hidden.
   const Changes& changes() const { return isFiltered_ ? shown_ : changes_; }
-  /// Whether there were hidden segments, or unloaded chunks.
-  bool isFiltered() const { return isFiltered_; }
   std::uint64_t version() const { return version_; }
 
   /// How many segments there are that are not hidden.
@@ -82,7 +80,7 @@ class Outline {
     if (journal_) [[unlikely]]
       noteSegment(id);
   }
-  /// Whether somebody may go back beyond the update under way.
+  /// Whether there is a moment to go back to from before the update under way.
   bool isNoting() const { return journal_ != nullptr; }
   /// The segments that phase 1 added were not alive before.
   void noteAdded();
@@ -130,12 +128,12 @@ class Outline {
   void noteRemoved(std::uint32_t id);
 
   Changes changes_;
-  Changes shown_;  ///< the same without what is hidden, if some of it may be
-  bool isFiltered_ = false;
+  Changes shown_;            ///< the same without what is hidden, if some of it may be
+  bool isFiltered_ = false;  ///< whether the last update had hidden segments, or unloaded chunks
   HiddenChunks hidden_;
   Versions versions_;
   std::uint64_t version_ = 0;
-  Journal* journal_ = nullptr;  ///< of the update under way, if somebody may go back beyond it
+  Journal* journal_ = nullptr;  ///< of the update under way, if there is a moment to go back to
   // Working memory. It is kept from one update to the next, to spare allocations.
   std::vector<std::uint32_t> ids_;
   std::vector<Spoke> fan_;

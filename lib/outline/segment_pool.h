@@ -120,7 +120,7 @@ class SegmentPool {
     return id != kNoSegment && id < top_ && pages_.has(id / kPage) && (*this)[id].cellRef != 0;
   }
   /// Pages on which no segment is alive take no memory until an id of theirs is taken. `live` says how many are. To be
-  /// called after many went, while nobody notes segments. Cost: O(1) for each that went, amortised.
+  /// called after many went, while no segments are noted. Cost: O(1) for each that went, amortised.
   void giveBackPages(std::size_t live);
   /// Whether every id is available: no segment is alive.
   bool isEmpty() const { return freeCount_ == maxId(); }

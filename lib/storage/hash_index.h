@@ -3,7 +3,7 @@
 // least an eighth. Edits look things up all the time. Here that touches one cache line, while std::unordered_map
 // follows pointers.
 //
-// Nobody can go through an index, so no order that is given out depends on where things are in it. That is why each
+// An index can not be iterated over, so no order that is given out depends on where things are in it. That is why each
 // index may have a seed of its own: hashes begin with it. Otherwise a stranger could choose chunks or polygons that all
 // have the same place, and a small file would take long to load. It is no secret that withstands more than that.
 #pragma once
@@ -23,7 +23,7 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
 }
 
 /// Another number in each run of the program, and for each index: of when and where it is made. WebAssembly has neither
-/// a clock that asks nobody nor places that differ; there it is always the same.
+/// a clock without an import nor places that differ; there it is always the same.
 std::uint64_t anySeed(const void* where);
 
 class HashIndex {

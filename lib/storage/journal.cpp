@@ -49,7 +49,7 @@ std::uint32_t Journal::keep(std::span<const std::uint32_t> words) {
   return reference;
 }
 
-/// Nobody needs anything. The memory for a few notes stays, for groups of edits.
+/// No note is needed any more. The memory for a few notes stays, for groups of edits.
 void Journal::stop() {
   assert(undone_.empty() && newest_.count() == 0);
   constexpr std::size_t kFew = 4'096;

@@ -1,15 +1,15 @@
 // The one journal of a world: what things held before they changed, so that the world can go back to a *moment*, and
 // forward again.
 //
-// A thing is a cell, a list of segments, and so on: a kind and a key. Nobody goes back to between two moments that
-// follow each other, so each thing is noted once between them, before its first change. Whether that is so already is a
+// A thing is a cell, a list of segments, and so on: a kind and a key. The world never goes back to between two moments
+// that follow each other, so each thing is noted once between them, before its first change. Whether that is so already is a
 // comparison of numbers: moments are numbered, and of each thing it is known after which one it was noted last. A note
 // keeps the number that it displaced.
 //
 // To undo a note is to exchange what it says with what the thing holds. The note then says what the thing held later,
 // so the same exchange, in the other direction, does it again.
 //
-// When nobody needs a moment any more, the notes after it join those before it, and those of things that are there twice
+// When a moment is let go of, the notes after it join those before it, and those of things that are there twice
 // are dropped: of a few behind many at once, otherwise when they are many. So that costs O(log n) a note in all, and
 // an old mark with many notes behind it costs no later edit anything.
 #pragma once
@@ -58,16 +58,16 @@ class Journal {
   /// The number of a moment. Later ones have greater numbers, and so have those of a copy.
   using Moment = std::uint64_t;
 
-  /// Whether somebody may go back, so that what changes is to be noted.
+  /// Whether there is a moment to go back to, so that what changes is to be noted.
   bool isOn() const { return latest_ != 0; }
 
   // --- Moments
 
-  /// Now, which somebody may want to go back to until he lets go of it.
+  /// Now, as a moment to go back to until letGo().
   Moment begin();
   /// One user more for a moment that is there.
   void hold(Moment moment) { ++places_[indexOf(moment)].users; }
-  /// One less. Calls drop(note) for each note that nobody needs from here on.
+  /// One less. Calls drop(note) for each note that is not needed from here on.
   template <class Drop>
   void letGo(Moment moment, Drop&& drop);
   bool has(Moment moment) const { return std::ranges::binary_search(places_, moment, {}, &Place::moment); }
@@ -81,7 +81,10 @@ class Journal {
     return newest_.find(keyOf(thing, key)) >= moment;
   }
   /// Whether it was since the latest one. Then no note is needed.
-  bool isNoted(Thing thing, std::uint32_t key) const { return isNotedSince(latest_, thing, key); }
+  bool isNoted(Thing thing, std::uint32_t key) const {
+    assert(isOn());
+    return isNotedSince(latest_, thing, key);
+  }
   /// Whether there is a note of it, but for those that are undone.
   bool isNotedEver(Thing thing, std::uint32_t key) const { return newest_.find(keyOf(thing, key)) != 0; }
   /// Before a thing changes that is not noted: the caller says what it holds.
@@ -119,7 +122,7 @@ class Journal {
   // --- Going back and forward
 
   /// Calls exchange(note) for each note since a moment, the last one first. They are kept, with the moments in between,
-  /// or dropped: then nobody needs these moments.
+  /// or dropped: then nothing holds these moments.
   template <class Exchange, class Drop>
   void undoTo(Moment moment, Undone undone, Exchange&& exchange, Drop&& drop);
   /// To a moment that is ahead: undone, and kept.
@@ -185,7 +188,7 @@ void Journal::letGo(Moment moment, Drop&& drop) {
   twice_ = 0;
 }
 
-/// Those that nobody can go back beyond.
+/// Notes before the first moment that is left.
 template <class Drop>
 void Journal::dropOldest(std::size_t end, Drop&& drop) {
   for (; dropped_ < end; ++dropped_) {
@@ -202,7 +205,7 @@ void Journal::dropOldest(std::size_t end, Drop&& drop) {
   dropped_ = 0;
 }
 
-/// From a note on: those of things that are noted before, with no moment in between.
+/// From a note on, drops the notes of things that are noted before, with no moment in between.
 template <class Drop>
 void Journal::dropTwice(std::size_t from, Drop&& drop) {
   std::size_t kept = from, next = 0;
@@ -242,6 +245,7 @@ void Journal::undoTo(Moment moment, Undone undone, Exchange&& exchange, Drop&& d
 
 template <class Exchange, class Drop>
 void Journal::redoTo(Moment moment, Exchange&& exchange, Drop&& drop) {
+  assert(isAhead(moment));
   do {
     for (; undone_.size() > ahead_.back().begin; undone_.pop_back()) {
       Note note = undone_.back();

@@ -1,5 +1,5 @@
 // A table from 64-bit keys to 64-bit numbers, where 0 stands for none. As in HashIndex there is open addressing with
-// linear probing, hashes begin with a seed, and nobody goes through it. At most three quarters of the places are taken,
+// linear probing, hashes begin with a seed, and it can not be iterated over. At most three quarters of the places are taken,
 // since marks may be held for long.
 #pragma once
 

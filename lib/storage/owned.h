@@ -52,7 +52,7 @@ void shrink(std::vector<T>& list) {
   std::vector<T>(std::make_move_iterator(list.begin()), std::make_move_iterator(list.end())).swap(list);
 }
 
-/// The same after a list has become shorter, once that is most of it. So who goes on with it at this length allocates
+/// The same after a list has become shorter, once that is most of it. So what goes on with it at this length allocates
 /// seldom.
 template <class T>
 void giveBackSpare(std::vector<T>& list) {

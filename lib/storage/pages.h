@@ -1,4 +1,4 @@
-// Pages of plain data that never move. Those that nobody needs can be given back, and made again. A large world has
+// Pages of plain data that never move. Those that are not needed can be given back, and made again. A large world has
 // many, and looks at them in no order. Then a good part of the time goes into finding where memory is, and with large
 // pages the processor has less to look up. So pages beyond the first few are parts of slabs, for which Linux is asked
 // for large pages. Where there are none nothing is lost.
@@ -94,7 +94,7 @@ class Pages {
       return true;
     });
   }
-  /// For tests of limits: so many more that nobody may look at.
+  /// For tests of limits: so many more that must not be looked at.
   void passOver(std::size_t pages) { pages_.resize(pages_.size() + pages, nullptr); }
   std::uint64_t bytes() const {
     std::uint64_t sum = pages_.capacity() * sizeof pages_[0] + slabs_.capacity() * sizeof slabs_[0] +

@@ -25,9 +25,9 @@ History::History(const History& other, Ground& ground, Outline& outline)
       outline_(outline),
       marks_(other.marks_),
       ahead_(other.ahead_),
-      went_(other.went_),
-      wentTo_(other.wentTo_),
-      wentShapes_(other.wentShapes_),
+      redoFrom_(other.redoFrom_),
+      redoMark_(other.redoMark_),
+      redoShapes_(other.redoShapes_),
       undoneShapes_(other.undoneShapes_),
       committed_(other.committed_),
       cellChanges_(other.cellChanges_) {
@@ -58,10 +58,12 @@ void History::letGo(const Marked& mark) {
 
 void History::forget(Mark mark) {
   const auto at = find(mark);
+  assert(at != marks_.end());
   const Marked gone = *at;
   marks_.erase(at);
   giveBackSpare(marks_);
-  if (marks_.empty() || (!ahead_.empty() && ground_.journal.isEarlier(went_, marks_.front().moment))) forgetUndone();
+  if (marks_.empty() || (!ahead_.empty() && ground_.journal.isEarlier(redoFrom_, marks_.front().moment)))
+    forgetUndone();
   letGo(gone);
 }
 
@@ -70,17 +72,17 @@ void History::forget(Mark mark) {
 void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   assert(knows(mark));
   const Marked& found = *find(mark);
-  const bool keeps = keepsAhead(found, undone), isFromWent = keeps && undone == Undone::keep;
+  const bool keeps = keepsAhead(found, undone), isFromRedo = keeps && undone == Undone::keep;
   if (!keeps) forgetUndone();
   dropLaterMarks(mark, undone);
   const Marked& to = marks_.back();
-  travel(to, isFromWent, segmentsIn(ground_.journal.since(to.moment)), changes,
+  travel(to, isFromRedo, segmentsIn(ground_.journal.since(to.moment)), changes,
          [&](Moment moment) { undo(moment, undone); });
   while (ground_.catalogue.shapeCount() > to.shapes) {
     InternedShape shape = ground_.catalogue.takeShape();
     if (undone == Undone::keep) undoneShapes_.push_back(std::move(shape));
   }
-  if (undone == Undone::keep) ahead_.empty() ? forgetUndone() : setWent(to);
+  if (undone == Undone::keep) ahead_.empty() ? forgetUndone() : setRedo(to);
 }
 
 /// Marks after this one are void, or ahead.
@@ -97,37 +99,38 @@ void History::dropLaterMarks(Mark mark, Undone undone) {
 /// keeps that, too.
 bool History::keepsAhead(const Marked& to, Undone undone) const {
   if (ahead_.empty()) return false;
-  if (undone == Undone::drop) return !ground_.journal.isEarlier(to.moment, went_);
-  return isWhereItWent() && marks_.back().mark <= wentTo_;
+  if (undone == Undone::drop) return !ground_.journal.isEarlier(to.moment, redoFrom_);
+  return isUnedited() && marks_.back().mark <= redoMark_;
 }
 
-void History::setWent(const Marked& to) {
-  if (went_ != 0) ground_.letGo(went_);
-  went_ = to.moment;
-  wentTo_ = to.mark;
-  wentShapes_ = to.shapes;
-  ground_.journal.hold(went_);
+void History::setRedo(const Marked& to) {
+  if (redoFrom_ != 0) ground_.letGo(redoFrom_);
+  redoFrom_ = to.moment;
+  redoMark_ = to.mark;
+  redoShapes_ = to.shapes;
+  ground_.journal.hold(redoFrom_);
 }
 
 /// Whether nothing was edited since the world went back or forward, nor a shape made.
-bool History::isWhereItWent() const {
+bool History::isUnedited() const {
   const auto isOfEdit = [](const Note& note) { return note.thing == Thing::cell || note.thing == Thing::chunk; };
-  return ground_.catalogue.shapeCount() == wentShapes_ && std::ranges::none_of(ground_.journal.since(went_), isOfEdit);
+  return ground_.catalogue.shapeCount() == redoShapes_ &&
+         std::ranges::none_of(ground_.journal.since(redoFrom_), isOfEdit);
 }
 
 bool History::isAhead(Mark mark) const {
-  return std::ranges::find(ahead_, mark, &Marked::mark) != ahead_.end() && isWhereItWent();
+  return std::ranges::find(ahead_, mark, &Marked::mark) != ahead_.end() && isUnedited();
 }
 
 void History::rollForward(Mark mark, Changes& changes) {
   assert(isAhead(mark));
-  for (; !marks_.empty() && marks_.back().mark > wentTo_; marks_.pop_back()) letGo(marks_.back());
+  for (; !marks_.empty() && marks_.back().mark > redoMark_; marks_.pop_back()) letGo(marks_.back());
   do {
     marks_.push_back(std::move(ahead_.back()));
     ahead_.pop_back();
   } while (marks_.back().mark != mark);
   const Marked& to = marks_.back();
-  std::vector<std::uint32_t> ids = segmentsIn(ground_.journal.since(went_));
+  std::vector<std::uint32_t> ids = segmentsIn(ground_.journal.since(redoFrom_));
   const std::vector<std::uint32_t> more = segmentsIn(ground_.journal.upTo(to.moment));
   ids.insert(ids.end(), more.begin(), more.end());
   travel(to, true, std::move(ids), changes, [&](Moment moment) {
@@ -136,18 +139,18 @@ void History::rollForward(Mark mark, Changes& changes) {
   });
   for (; ground_.catalogue.shapeCount() < to.shapes; undoneShapes_.pop_back())
     ground_.catalogue.putShape(std::move(undoneShapes_.back()));
-  setWent(to);
+  setRedo(to);
   if (ahead_.empty()) forgetUndone();
 }
 
 /// Goes to a mark by go(moment), which exchanges the notes up to a moment; from where the world went last, or from where
 /// it is.
 template <class Go>
-void History::travel(const Marked& to, bool isFromWent, std::vector<std::uint32_t> ids, Changes& changes, Go&& go) {
+void History::travel(const Marked& to, bool isFromRedo, std::vector<std::uint32_t> ids, Changes& changes, Go&& go) {
   const auto goThere = [&] {
     ground_.clearChanges();
     cellChanges_.clear();
-    if (isFromWent) returnToWent();
+    if (isFromRedo) returnToRedo();
     if (committed_ != 0) tell(to, go);
     go(to.moment);
     ground_.setChangedCells(to.changed);
@@ -156,7 +159,7 @@ void History::travel(const Marked& to, bool isFromWent, std::vector<std::uint32_
 }
 
 /// Followers never saw the edits that are pending, here or there: so they are told what is different between the last
-/// commit before the one and the other.
+/// commits before the two moments.
 template <class Go>
 void History::tell(const Marked& to, Go&& go) {
   using enum CellChanges::Way;
@@ -174,13 +177,13 @@ void History::tell(const Marked& to, Go&& go) {
 
 /// Undoes the commits since the world went back or forward. Nothing was edited since, but edits that were pending may
 /// have been told.
-void History::returnToWent() {
-  if (committed_ > went_) {
-    ground_.journal.hold(went_);
-    ground_.letGo(std::exchange(committed_, went_));
+void History::returnToRedo() {
+  if (committed_ > redoFrom_) {
+    ground_.journal.hold(redoFrom_);
+    ground_.letGo(std::exchange(committed_, redoFrom_));
   }
-  undo(went_, Undone::drop);
-  ground_.letGo(std::exchange(went_, 0));
+  undo(redoFrom_, Undone::drop);
+  ground_.letGo(std::exchange(redoFrom_, 0));
 }
 
 /// Chunks that came or went since the mark are shown and hidden, unless edits are pending there. Whether it is done.
@@ -215,14 +218,14 @@ void History::exchange(Note& note) {
 
 void History::takeBack(Mark mark) {
   assert(knows(mark, Of::group) && !committedSince(mark));
-  if (!ahead_.empty() && ground_.journal.isEarlier(find(mark)->moment, went_)) forgetUndone();
+  if (!ahead_.empty() && ground_.journal.isEarlier(find(mark)->moment, redoFrom_)) forgetUndone();
   dropLaterMarks(mark, Undone::drop);
   ground_.takeBack(marks_.back().moment);
   while (ground_.catalogue.shapeCount() > marks_.back().shapes) static_cast<void>(ground_.catalogue.takeShape());
 }
 
 void History::forgetUndone() {
-  if (went_ != 0) ground_.letGo(std::exchange(went_, 0));
+  if (redoFrom_ != 0) ground_.letGo(std::exchange(redoFrom_, 0));
   ground_.journal.forgetUndone([this](const Note& note) { ground_.drop(note); });
   for (const Marked& mark : ahead_)
     if (mark.committed != 0 && ground_.journal.has(mark.committed)) ground_.letGo(mark.committed);
@@ -239,7 +242,7 @@ void History::freeSleeping() {
   if (!chunks.empty() && !hasMarks()) outline_.giveBackPages();
 }
 
-/// Somebody may go back, or follows.
+/// While there are marks, or followers.
 void History::noteCommit() {
   Journal& journal = ground_.journal;
   if (committed_ != 0) cellChanges_.read(ground_, committed_, CellChanges::Way::forth);
@@ -253,7 +256,7 @@ void History::noteCommit() {
 void History::follow(bool follow) {
   if (follow == (committed_ != 0)) return;
   cellChanges_.clear();
-  cellChanges_.forgetTurns();
+  cellChanges_.forgetStreamed();
   if (follow)
     committed_ = ground_.journal.begin();
   else

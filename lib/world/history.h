@@ -17,6 +17,7 @@
 
 #include <lgs/world.h>
 
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,7 @@ class History {
   using Moment = Journal::Moment;
 
   History(Ground& ground, Outline& outline) : ground_(ground), outline_(outline) {}
-  /// That of a copy, with its own ground and outline. Marks of groups are dropped: nobody could end them there.
+  /// That of a copy, with its own ground and outline. Marks of groups are dropped: no group could end them there.
   History(const History& other, Ground& ground, Outline& outline);
   History(const History&) = delete;
   History& operator=(const History&) = delete;
@@ -35,7 +36,7 @@ class History {
 
   // --- Marks
 
-  /// The mark of a group of edits is known to the group alone, and nobody goes back to it after a commit.
+  /// The mark of a group of edits is known to the group alone, which does not go back to it after a commit.
   enum class Of : std::uint8_t { game, group };
   Mark mark(Of of = Of::game);
   bool knows(Mark mark, Of of = Of::game) const { return find(mark) != marks_.end() && find(mark)->of == of; }
@@ -53,7 +54,10 @@ class History {
   /// The mark must be known.
   void forget(Mark mark);
   /// Whether a commit found something since the mark, which must be known.
-  bool committedSince(Mark mark) const { return ground_.journal.isNotedSince(find(mark)->moment, Thing::commit, 0); }
+  bool committedSince(Mark mark) const {
+    assert(knows(mark, Of::group) || knows(mark));
+    return ground_.journal.isNotedSince(find(mark)->moment, Thing::commit, 0);
+  }
 
   // --- Commits
 
@@ -80,7 +84,7 @@ class History {
   void comesBack(std::uint32_t chunk) {
     if (committed_ != 0) cellChanges_.comesBack(chunk);
   }
-  /// What the last commit, rollBack() or rollForward() changed, if somebody follows.
+  /// What the last commit, rollBack() or rollForward() changed, while the ground is followed.
   const CellChanges& cellChanges() const { return cellChanges_; }
 
   std::uint64_t bytes() const;
@@ -90,7 +94,7 @@ class History {
     Mark mark;
     Of of = Of::game;
     Moment moment = 0;
-    Moment committed = 0;  ///< as that of the history, which it holds
+    Moment committed = 0;  ///< the last commit before it that followers saw, held by it; 0 without followers
     std::uint64_t shapes = 0;
     Outline::State outline;
     Ground::ChangedCells changed;  ///< of a game's mark
@@ -105,14 +109,14 @@ class History {
   void freeSleeping();
   void letGo(const Marked& mark);
   void dropLaterMarks(Mark mark, Undone undone);
-  bool isWhereItWent() const;
-  void setWent(const Marked& to);
+  bool isUnedited() const;
+  void setRedo(const Marked& to);
   bool keepsAhead(const Marked& to, Undone undone) const;
   template <class Go>
-  void travel(const Marked& to, bool isFromWent, std::vector<std::uint32_t> ids, Changes& changes, Go&& go);
+  void travel(const Marked& to, bool isFromRedo, std::vector<std::uint32_t> ids, Changes& changes, Go&& go);
   template <class Go>
   void tell(const Marked& to, Go&& go);
-  void returnToWent();
+  void returnToRedo();
   bool streamAtOnce(const Marked& to);
   void undo(Moment moment, Undone undone);
   void exchange(Note& note);
@@ -124,11 +128,11 @@ class History {
   std::vector<Marked> marks_;  ///< in the order in which they were made
   std::vector<Marked> ahead_;  ///< that the world went back beyond, the next one last
   // The mark that the last kept roll-back, or redo, led to, if any are ahead.
-  Moment went_ = 0;
-  Mark wentTo_;
-  std::uint64_t wentShapes_ = 0;
+  Moment redoFrom_ = 0;
+  Mark redoMark_;
+  std::uint64_t redoShapes_ = 0;
   std::vector<InternedShape> undoneShapes_;  ///< the first to come back last
-  Moment committed_ = 0;                     ///< the last commit, while somebody follows; otherwise 0
+  Moment committed_ = 0;                     ///< the last commit while the ground is followed; otherwise 0
   CellChanges cellChanges_;
 };
 

@@ -64,7 +64,7 @@ List<std::size_t> groupsOf(const List<CellPolygon>& polygons, const List<bool>& 
   for (std::size_t k = 0; k < polygons.size(); ++k)
     if (meeting[k]) groups[k] = k;
   for (std::size_t k = 1; k < sides.size(); ++k) {
-    if (sides[k - 1] < sides[k]) continue;  // nobody shares it
+    if (sides[k - 1] < sides[k]) continue;  // no polygon shares it
     const std::size_t p = sides[k - 1].area, q = sides[k].area, a = groups[p], b = groups[q];
     if (a == b || polygons[p].block != polygons[q].block) continue;
     for (std::size_t& group : groups)

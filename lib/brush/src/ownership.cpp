@@ -11,7 +11,7 @@
 namespace lgs::brush {
 namespace {
 
-using Owner = std::size_t;  ///< a group by its least polygon, what is painted, or nobody
+using Owner = std::size_t;  ///< a group by its least polygon, what is painted, or none
 
 /// Whether edges are the same outline as before. Those of before are not cut yet where rounding found hot points.
 bool isSameOutline(List<HalfEdge> now, const List<HalfEdge>& before) {
@@ -42,12 +42,12 @@ struct Sides {
 class Division {
  public:
   Division(const Ground& ground, const List<Atom>& atoms, const Stroke& stroke)
-      : ground_(ground), stroke_(stroke), paint_(ground.polygons.size()), nobody_(paint_ + 1) {
+      : ground_(ground), stroke_(stroke), paint_(ground.polygons.size()), none_(paint_ + 1) {
     sides_.reserve(atoms.size());
     for (const Atom& a : atoms) sides_.push_back({a.low, a.high, ownerOf(a.left), ownerOf(a.right)});
     unionOf_ = ground.groups;
-    unionOf_.insert(unionOf_.end(), {paint_, nobody_});
-    changed_.assign(nobody_, false);
+    unionOf_.insert(unionOf_.end(), {paint_, none_});
+    changed_.assign(none_, false);
     changed_[paint_] = true;
     for (Owner k = 0; k < paint_; ++k) changed_[k] = unionOf_[k] == k && !isAsBefore(k);
     uniteNeighbours();
@@ -56,10 +56,10 @@ class Division {
   CellEdit result() const {
     CellEdit edit;
     List<std::size_t> old;
-    for (Owner all = 0; all < nobody_; ++all) {
+    for (Owner all = 0; all < none_; ++all) {
       if (unionOf_[all] != all) continue;
       bool isChanged = false;
-      for (Owner k = all; k < nobody_; ++k) isChanged |= unionOf_[k] == all && changed_[k];
+      for (Owner k = all; k < none_; ++k) isChanged |= unionOf_[k] == all && changed_[k];
       if (!isChanged) continue;
       old.clear();
       for (Owner k = all; k < paint_; ++k)
@@ -81,18 +81,18 @@ class Division {
  private:
   Owner ownerOf(const Sum& sum) const {
     assert(sum.group >= 0 && std::cmp_less_equal(sum.group, paint_));
-    const Owner before = sum.group == 0 ? nobody_ : static_cast<Owner>(sum.group) - 1;
+    const Owner before = sum.group == 0 ? none_ : static_cast<Owner>(sum.group) - 1;
     if (!isFilled(sum.winding, stroke_.rule)) return before;
-    if (before != nobody_ && stroke_.stays(ground_.polygons[before].block)) return before;
+    if (before != none_ && stroke_.stays(ground_.polygons[before].block)) return before;
     switch (stroke_.deed) {
       case Deed::carve:
-        return nobody_;
+        return none_;
       case Deed::fill:
-        return before == nobody_ ? paint_ : before;
+        return before == none_ ? paint_ : before;
       case Deed::replace:
         return paint_;
     }
-    return nobody_;
+    return none_;
   }
 
   Block blockOf(Owner owner) const { return owner == paint_ ? stroke_.block : ground_.polygons[owner].block; }
@@ -130,7 +130,7 @@ class Division {
   /// Unites what shares an edge and has the same block.
   void uniteNeighbours() {
     for (const Sides& s : sides_) {
-      if (s.left == nobody_ || s.right == nobody_ || blockOf(s.left) != blockOf(s.right)) continue;
+      if (s.left == none_ || s.right == none_ || blockOf(s.left) != blockOf(s.right)) continue;
       const Owner a = unionOf_[s.left], b = unionOf_[s.right];
       for (Owner& all : unionOf_)
         if (all == a || all == b) all = std::min(a, b);
@@ -139,7 +139,7 @@ class Division {
 
   const Ground& ground_;
   const Stroke& stroke_;
-  const Owner paint_, nobody_;
+  const Owner paint_, none_;
   List<Sides> sides_;
   List<Owner> unionOf_;  ///< by old polygon and owner: the least owner of the union that it is in
   List<bool> changed_;

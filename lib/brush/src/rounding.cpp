@@ -93,7 +93,7 @@ Rounding roundOnce(const Arrangement& arrangement, FillRule rule, bool isSnapped
                        }) ||
            std::ranges::any_of(folded, [&](const Segment* s) { return isPartOf(*s, ring); });
   });
-  // Atoms that reach into a polygon may cross others. Then nobody asks for their sides.
+  // Atoms that reach into a polygon may cross others. Then their sides are not asked for.
   result.isPlane = result.inTheWay.empty() && folded.empty() && (isSnapped || isPlane(result.atoms));
   if (!result.isPlane) return result;
   findSides(result.atoms);

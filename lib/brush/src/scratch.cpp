@@ -19,7 +19,7 @@ struct Blocks {
   std::size_t frames = 0;
 };
 #if defined(__wasm__) && !defined(_REENTRANT)
-Blocks ofThread;  // there is one thread, and nobody can be asked to tell of its end
+Blocks ofThread;  // there is one thread, and nothing reports its end
 #else
 thread_local Blocks ofThread;
 #endif

@@ -41,7 +41,7 @@ void BareWorld::know(const CellRect& chunk) {
   unknown_.erase(chunk.min);
 }
 
-/// Of chunks that were forgotten nobody tells. No loaded ground was beside them then, so it is in time to look for them
+/// Forgotten chunks are not reported. No loaded ground was beside them then, so it is in time to look for them
 /// where some comes.
 void BareWorld::dropForgotten(const World& world, Cell cell) {
   if (!isAtRimOfChunk(cell)) return;

@@ -68,7 +68,7 @@ void IslandView::nameKin(std::span<const Old> olds, std::span<New> news, bool is
 }
 
 /// The kin keeps its anchors, but for those that came and went: of these the largest has the sum so far. All but the
-/// largest are counted. How many there are beyond the edge of memory nobody knows, so what comes from there is counted
+/// largest are counted. How many there are beyond the edge of memory is not known, so what comes from there is counted
 /// as well.
 void IslandView::countAnchors(const World& world, const Loops& loops, std::span<const Old> olds, std::span<New> news,
                               bool isBeyond) {

@@ -66,7 +66,7 @@ void IslandView::update(const World& world, const Loops& loops) {
   dropForgotten(world);
 }
 
-/// Of chunks that were forgotten nobody tells. They are looked for when there may be as many as others.
+/// Forgotten chunks are not reported. They are looked for when there may be as many as others.
 void IslandView::dropForgotten(const World& world) {
   constexpr std::size_t kFew = 64;
   if (away_.size() < kFew + 2 * kept_) return;
@@ -75,33 +75,33 @@ void IslandView::dropForgotten(const World& world) {
 }
 
 void IslandView::readCells(const World& world) {
-  Turn turn = Turn::stays;
+  Passage passage = Passage::stays;
   CellRect chunk{{0, 0}, {-1, -1}};
   for (const CellChange& change : world.cellChanges()) {
     if (!lgs::contains(chunk, change.cell)) {
       chunk = chunkWith(change.cell);
-      turn = turnOf(world, change.cell);
-      if (turn == Turn::left) left_.push_back(chunk);
-      if (turn == Turn::came) back_.push_back(chunk);
+      passage = passageOf(world, change.cell);
+      if (passage == Passage::left) left_.push_back(chunk);
+      if (passage == Passage::came) back_.push_back(chunk);
     }
-    readCell(change, turn);
-    if (turn == Turn::came) came_.push_back(static_cast<std::size_t>(&change - world.cellChanges().data()));
+    readCell(change, passage);
+    if (passage == Passage::came) came_.push_back(static_cast<std::size_t>(&change - world.cellChanges().data()));
   }
   detail::sort(taken_,
                [](const Taken& a, const Taken& b) { return a.cell != b.cell ? a.cell < b.cell : a.ring < b.ring; });
 }
 
-IslandView::Turn IslandView::turnOf(const World& world, Cell cell) {
-  if (isUnloaded(world, cell)) return Turn::left;
-  return away_.contains(chunkWith(cell).min) ? Turn::came : Turn::stays;
+IslandView::Passage IslandView::passageOf(const World& world, Cell cell) {
+  if (isUnloaded(world, cell)) return Passage::left;
+  return away_.contains(chunkWith(cell).min) ? Passage::came : Passage::stays;
 }
 
 /// What was taken away and added in a cell, whatever the blocks. What left memory, and what came back, hangs together
 /// with what is beyond: the anchors of whatever that makes or cuts off are counted anew.
-void IslandView::readCell(const CellChange& change, Turn turn) {
-  if (turn != Turn::stays) {
+void IslandView::readCell(const CellChange& change, Passage passage) {
+  if (passage != Passage::stays) {
     for (const PlacedPolygon& p : change.before)
-      taken_.push_back({change.cell, ringOf(change.cell, p.vertices), false, turn == Turn::left});
+      taken_.push_back({change.cell, ringOf(change.cell, p.vertices), false, passage == Passage::left});
     return;
   }
   const auto like = [](std::span<const PlacedPolygon> polygons, const PlacedPolygon& p) {

@@ -61,12 +61,12 @@ class IslandView {
     std::int64_t by;
   };
   /// What became of a chunk.
-  enum class Turn : std::uint8_t { stays, left, came };
+  enum class Passage : std::uint8_t { stays, left, came };
 
   void begin();
   void readCells(const World& world);
-  void readCell(const CellChange& change, Turn turn);
-  Turn turnOf(const World& world, Cell cell);
+  void readCell(const CellChange& change, Passage passage);
+  Passage passageOf(const World& world, Cell cell);
   std::vector<LoopId> changedOuters(const Loops& loops) const;
   void findOpen(const World& world, const Loops& loops, std::span<const LoopId> outers);
   void uniteBeyond(const World& world, const Loops& loops, Kin& kin) const;

@@ -45,7 +45,7 @@ void Kin::forTakenNear(Cell cell, Visit&& visit) const {
   }
 }
 
-/// Whether a polygon that was taken away touched the square of a chunk that is unloaded, or was: nobody can see now
+/// Whether a polygon that was taken away touched the square of a chunk that is unloaded, or was: it can not be seen now
 /// what it touched there.
 bool Kin::isBesideUnloaded(const Taken& taken) const {
   if (!isAtRimOfChunk(taken.cell)) return false;
@@ -70,8 +70,8 @@ void Kin::connect(std::size_t index) {
   }
 }
 
-// Loops that are connected in the end are on one island, or on islands that are kin. Of a single loop nobody needs to
-// know the island yet.
+// Loops that are connected in the end are on one island, or on islands that are kin. The island of a single
+// loop is not needed yet.
 void Kin::connectAll() {
   for (std::size_t k = 0; k < taken_.size(); ++k) {
     const bool isAway = taken_[k].isAway;
