@@ -184,7 +184,7 @@ def worst(results):
 
 
 def summary(results):
-    """The README's short table: beside the fastest other that was measured, what loses included."""
+    """The README's short table: beside the strongest native neighbour that was measured, what loses included."""
     arrays, rows = "the article's optimised C++, reconstructed", []
     for text, scenario in (
         ("one edit, digging in 10,000 full blocks", "dig-100"),
@@ -198,7 +198,7 @@ def summary(results):
         engine, other = row.get("median_ns"), row.get("clipper_cells_median_ns")
         clipper = f"Clipper 6's difference of the touched cells: {duration_or_none(other)}"
         rows.append([f"a round hole of radius 3, {name}", duration_or_none(engine), clipper, ratio_or_none(other, engine)])
-    return table(["median", "this library", "the fastest other", "other ÷ this"], rows)
+    return table(["median", "this library", "the strongest native neighbour", "neighbour ÷ this"], rows)
 
 
 ALL = (about, article, recompute, edits, edit_sizes, changes, batches, builds, worst, summary)

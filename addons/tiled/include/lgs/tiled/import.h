@@ -118,7 +118,7 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
 /// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
 /// evidence that there is in it: 1. shapes of tiles, and layers, classes and properties that say collision, all
 /// together; 2. those that say ground or wall; 3. the only tile layer, if it is half empty. What is deadly or passable
-/// is left out. docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. The next
+/// is left out. docs/maps.md, "What is taken without options", has the words. Report::choice says what was taken. The next
 /// best choice is tried as well, so that takes twice as long. `layers` narrows where that is looked for. With any of
 /// the four nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
