@@ -45,7 +45,7 @@ using Ring = std::vector<Point>;
 
 /// A set of points, given by closed rings. They may cross and overlap, and run either way around.
 struct Region {
-  std::vector<Ring> rings;            ///< closed, each by itself
+  std::vector<Ring> rings;            ///< each is closed
   FillRule rule = FillRule::nonZero;  ///< which points are inside them
 };
 
