@@ -61,7 +61,7 @@ class Chunks {
 function follow(changes: Changes, version: Version, world: World): boolean {
   if (object('changes', 'those of a commit', changes).before === changes.after) return false
   if (changes.before !== version || changes.after !== world.version)
-    throw new LgsError('left-out', 'these changes do not follow those that were drawn: make it anew, for all chunks')
+    throw new LgsError('left-out', 'these changes do not follow those that were drawn: make it again, for all chunks')
   return true
 }
 
