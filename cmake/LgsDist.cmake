@@ -1,4 +1,4 @@
-# The targets two_files and dist: the engine and the brushes as two files, and the release archive.
+# The targets two_files and dist: the amalgamation of the engine and the brushes, and the release archive.
 # To build the libraries no Python is needed: then there are no such targets.
 find_package(Python3 COMPONENTS Interpreter)
 find_file(LGS_EXPECTED_HEADER tl/expected.hpp)

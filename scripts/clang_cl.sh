@@ -12,7 +12,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/tl"
 cp /usr/include/tl/expected.hpp "$work/tl" || exit 1
-printf '#include "%s"\n' "$PWD"/lib/{geometry,storage,ground,outline,world,brush/src}/*.cpp >"$work/engine.cpp"  # at once, as in the two files
+printf '#include "%s"\n' "$PWD"/lib/{geometry,storage,ground,outline,world,brush/src}/*.cpp >"$work/engine.cpp"  # at once, as in the amalgamation
 
 options=(--driver-mode=cl --target=x86_64-pc-windows-msvc -fsyntax-only -ferror-limit=0 /std:c++20 /W4 /EHs-c- /GR-
          -D LGS_BUILDS_SHARED -I lib -imsvc "$work")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the release archive: the libraries as CMake builds them, the two files, the examples, the documents.
+"""Writes the release archive: the libraries as CMake builds them, the amalgamation, the examples, the documents.
 
 The same files give the same archive, byte for byte.
 """
@@ -48,7 +48,7 @@ def write(archive, contents):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("archive", type=Path, help="what to write, a .tar.gz")
-    parser.add_argument("--expected", type=Path, help="the header of tl::expected, for the two files")
+    parser.add_argument("--expected", type=Path, help="the header of tl::expected, for the amalgamation")
     args = parser.parse_args()
     contents = files()
     with tempfile.TemporaryDirectory() as folder:

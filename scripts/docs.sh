@@ -6,16 +6,16 @@ out=$(realpath -m "${1:-$(dirname "$0")/../out/docs}")
 cd "$(dirname "$0")/.."
 mkdir -p "$out"
 
-# The first page: how the README begins, up to its example and what that prints. Links to other documents lose their
-# address, since these are not part of the pages.
+# The first page: how the README begins, up to its example and what that prints. Links to files lose their address, since
+# these are not part of the pages.
 {
   echo '# LocalGridSeg {#mainpage}'
   echo
   echo 'Where to begin: lgs::World, or lgs/lgs.h in C; lgs::paint() and lgs::carve(); lgs::tiled::importMap();'
   echo 'lgs::box2d::Terrain; lgs::writeSvg(). docs/contract.md has the words and the laws that all of it goes by.'
   echo
-  sed -n '3,/^## Guarantees and limits/p' README.md | sed '/^## Guarantees and limits/d' |
-    sed -E 's/(^|[^!])\[([^]]*)\]\([^)#]*\.md[^)]*\)/\1\2/g; s/\]\(docs\//](/g'
+  sed -n '3,/^## How fast/p' README.md | sed '/^## How fast/d' |
+    sed -E 's/(^|[^!])\[([^]]*)\]\([^)#]*\.(md|h)(#[^)]*)?\)/\1\2/g; s/\]\(docs\//](/g'
 } >"$out/main.md"
 
 {

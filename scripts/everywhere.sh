@@ -9,8 +9,8 @@
 #   scripts/everywhere.sh --list          # the names of the rows
 #
 # A row says: platform, compiler, options, the hash of all that the library gave out and whether it is the expected one,
-# whether the two files do the same, warnings in lib/, how many tests passed, and the seconds that the program took.
-# "Tests" are lgs_platform, those of the C interface in C99, the example in C, those of the documents, and for the two files
+# whether the amalgamation does the same, warnings in lib/, how many tests passed, and the seconds that the program took.
+# "Tests" are lgs_platform, those of the C interface in C99, the example in C, those of the documents, and for the amalgamation
 # lgs_platform and a game. Builds into build/everywhere/NAME, and logs there in log.txt.
 # Exit status: 0: all alike; 1: a hash, a test or a build failed; 2: wrong usage.
 set -uo pipefail
@@ -151,7 +151,7 @@ done
 
 if ((install)); then scripts/setup.sh "${packages[@]}" >&2 || exit 1; fi
 export WINEPREFIX=$PWD/build/everywhere/wine WINEDEBUG=-all
-row name platform compiler options hash same "two files" warnings tests seconds
+row name platform compiler options hash same amalgamation warnings tests seconds
 row --- --- --- --- --- --- --- ---: ---: ---:
 while IFS='|' read -r name platform compiler options arguments; do
   [[ $name ]] || continue

@@ -117,28 +117,6 @@ def edit_sizes(results):
     return table(["median / p99", *(f"{count(size)} cells" for size in SIZES)], rows)
 
 
-def changes(results):
-    rows = []
-    for world, name in WORLDS.items():
-        row = results.of(f"edit/remove-add/{world}/10000")
-        build = results.of(f"build/shapes/{world}/10000")
-        figures = [digits(row[f]) if f in row else NONE for f in ("removed", "added", "relinked")]
-        segments = digits(build["segments"] / build["cells"]) if build else NONE
-        rows.append([name, *figures, segments])
-    return table(["segments, on average", "removed by an edit", "added", "relinked", "segments a cell"], rows)
-
-
-def batches(results):
-    rows = []
-    for world, name in WORLDS.items():
-        cells = [name]
-        for size in (1, 10, 100, 10_000):
-            row = results.of(f"batch/{world}/{size}")
-            cells.append(duration(1e9 / row["items_per_second"]) if row else NONE)
-        rows.append(cells)
-    return table(["time an edit", "1 a commit", "10", "100", "10,000"], rows)
-
-
 def builds(results):
     rows = []
     kinds = [(world, "shapes", SIZES[1:]) for world in WORLDS]
@@ -184,7 +162,7 @@ def worst(results):
 
 
 def summary(results):
-    """The README's short table: beside the fastest other that was measured, what loses included."""
+    """The README's short table: beside the strongest native neighbour that was measured, what loses included."""
     arrays, rows = "the article's optimised C++, reconstructed", []
     for text, scenario in (
         ("one edit, digging in 10,000 full blocks", "dig-100"),
@@ -198,8 +176,8 @@ def summary(results):
         engine, other = row.get("median_ns"), row.get("clipper_cells_median_ns")
         clipper = f"Clipper 6's difference of the touched cells: {duration_or_none(other)}"
         rows.append([f"a round hole of radius 3, {name}", duration_or_none(engine), clipper, ratio_or_none(other, engine)])
-    return table(["median", "this library", "the fastest other", "other ÷ this"], rows)
+    return table(["median", "this library", "the strongest native neighbour", "neighbour ÷ this"], rows)
 
 
-ALL = (about, article, recompute, edits, edit_sizes, changes, batches, builds, worst, summary)
+ALL = (about, article, recompute, edits, edit_sizes, builds, worst, summary)
 TABLES = {table_of.__name__: table_of for table_of in ALL}

@@ -1,5 +1,5 @@
-// Two craters in a floor of rock, in a loop of frames: a small game with the two files. To build it, write them beside
-// it (`scripts/amalgamate.py .`), then `c++ -std=c++20 digging.cpp localgridseg.cpp -o digging`.
+// Two craters in a floor of rock, in a loop of frames: a small game with the amalgamation. To build it, write them
+// beside it (`scripts/amalgamate.py .`), then `c++ -std=c++20 digging.cpp localgridseg.cpp -o digging`.
 #include "localgridseg.h"
 
 #include <cstdio>

@@ -37,7 +37,7 @@ struct Exhausted {
   std::int64_t good;  ///< in any of their rotations
 };
 
-// The second opinion is the harness's own: it shares no code with the engine.
+// The second opinion is the harness's own code.
 TEST(FindDefect, GivesTheRightReasonForEverySequence) {
   for (const Exhausted& e : {Exhausted{2, 3, 81, 0},
                              {3, 3, 729, 228},

@@ -28,14 +28,14 @@ enum class ErrorCode : std::uint32_t {
   unknownShape,        ///< a ShapeId that this world did not make
   staleHandle,         ///< a PolygonHandle that is null, unknown, or whose polygon was removed
   unknownSegment,      ///< a SegmentId that names no live segment
-  unknownMark,         ///< a Mark that this world did not make, or that was forgotten, or gone back beyond
+  unknownMark,         ///< a Mark that this world did not make, or that was forgotten, or rolled back beyond
   uncommitted,         ///< edits are not committed, or there are marks where there may be none
   outOfReach,          ///< a point, a radius or a ray of a question goes beyond what questions.h allows
   unloaded,            ///< ground that is not in memory: see World::unload()
   anchored,            ///< an island that something holds can not fall
 };
 
-/// Says what was refused, and where. A field that does not apply is kNoCell, -1 or null.
+/// What was refused, and where. A field that does not apply is kNoCell, -1 or null.
 struct Error {
   static constexpr Cell kNoCell{INT32_MIN, INT32_MIN};  ///< what `cell` is if no cell is meant
   ErrorCode code{};                                     ///< the reason

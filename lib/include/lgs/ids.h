@@ -21,10 +21,9 @@ struct ShapeId {
 };
 
 /// One placed polygon. Once the polygon is removed its handle is stale: to use it is an error, and it never names
-/// another polygon, unless the world goes back to a time before that polygon was (World::rollBack()), or is told to
-/// forget the place (World::forgetChunks()). Zero is null.
-/// `cellRef` and `serial` mean something to the world only. packed() is for storage, say in the user data of a physics
-/// engine.
+/// another polygon, unless the world rolls back to a time before that polygon was (World::rollBack()), or forgets the
+/// place (World::forgetChunks()). Zero is null. `cellRef` and `serial` mean something to the world only. packed() is
+/// for storage, say in the user data of a physics engine.
 struct PolygonHandle {
   std::uint32_t cellRef = 0;                                         ///< for the world; 0 in a null handle
   std::uint32_t serial = 0;                                          ///< for the world
@@ -47,7 +46,7 @@ struct SegmentId {
   friend constexpr auto operator<=>(SegmentId, SegmentId) = default;
 };
 
-/// A moment to which a world can go back: see World::checkpoint(). Zero is null.
+/// A moment to which a world can roll back: see World::checkpoint(). Zero is null.
 struct Mark {
   std::uint64_t value = 0;                                         ///< for the world that made it
   constexpr explicit operator bool() const { return value != 0; }  ///< whether it is not null

@@ -54,18 +54,18 @@ inline constexpr std::size_t kMaxChunks =
 inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that takes many
 
 #ifdef LGS_HANDLES_IN_53_BITS
-/// Says by its name how wide handles are.
+/// Its name is how wide handles are.
 enum class HandlesIn53Bits : bool {};
 using Handles = HandlesIn53Bits;
 #else
-/// Says by its name how wide handles are.
+/// Its name is how wide handles are.
 enum class HandlesIn60Bits : bool {};
 /// Which handles a file was compiled for. It is a parameter of World's constructor that is never given: where a program
 /// and its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
 using Handles = HandlesIn60Bits;
 #endif
 
-/// Says whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). The smaller block
+/// Whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). The smaller block
 /// always comes first, so any function gives a symmetric relation. It must give the same answer every time, throw
 /// nothing and not call back into the world. If it is empty, everything is cancelled.
 using PreserveRelation = std::function<bool(Block, Block)>;
@@ -142,10 +142,11 @@ class World {
 
   // --- Shapes -------------------------------------------------------------------------------------------------------
 
-  /// Validates and stores one polygon, or a set of polygons with disjoint interiors. Each must be simple, run
-  /// counter-clockwise, have a positive area and be inside the closed cell. The same polygons, vertex by vertex, give
-  /// the same id. A shape is never forgotten. Refused: emptyShape, and what error.h lists from tooFewVertices to
-  /// overlap. Cost: a hash; the first time O(n log n) for one polygon, O(n²) for several or for one that is refused.
+  /// Validates and stores one polygon, or a set of polygons with disjoint interiors. Returns the id. Each must be
+  /// simple, run counter-clockwise, have a positive area and be inside the closed cell. The same polygons, vertex by
+  /// vertex, give the same id. A shape is never forgotten. Refused: emptyShape, and what error.h lists from
+  /// tooFewVertices to overlap. Cost: a hash; the first time O(n log n) for one polygon, O(n²) for several or for one
+  /// that is refused.
   [[nodiscard]] Expected<ShapeId> shape(std::span<const LocalPoint> polygon) noexcept;
   [[nodiscard]] Expected<ShapeId> shape(std::initializer_list<LocalPoint> polygon) noexcept;
   [[nodiscard]] Expected<ShapeId> shape(std::span<const FloatPoint> polygon) noexcept;
@@ -228,12 +229,12 @@ class World {
   }
   Expected<std::uint64_t> clear(Cell cell) noexcept { return clearRect({cell, cell}); }  ///< the same for one cell
 
-  /// Begins a group of edits that happens as a whole or not at all.
+  /// Begins a group of edits that happens as a whole or not at all. Returns the group: it is undone unless kept.
   [[nodiscard]] Transaction edit() noexcept;
 
-  /// Brings the segments up to date with all edits since the last commit. The result is valid until the next commit
-  /// or roll-back. Cost: in proportion to the contents of the edited cells and of the eight around each. Allocates
-  /// nothing once the world has reached its size.
+  /// Brings the segments up to date with all edits since the last commit. Returns what changed, valid until the next
+  /// commit or roll-back. Cost: in proportion to the contents of the edited cells and of the eight around each.
+  /// Allocates nothing once the world has reached its size.
   const Changes& commit() noexcept;
 
   /// The same to the last id and its place in the lists, on the executor's threads if the world has no segments yet, as
@@ -242,22 +243,22 @@ class World {
   /// of 32×32 cells, and throws nothing. Allocates working memory in proportion to the cells with segments.
   const Changes& commit(const Executor& executor) noexcept;
 
-  // --- Going back ---------------------------------------------------------------------------------------------------
+  // --- Marks, roll-back, redo ---------------------------------------------------------------------------------------
   //
-  // Law 12, restore and replay is never having left: once the world is back at a mark, every later output, id and list
+  // Law 12, restore and replay is never having left: once the world is at a mark again, every later output, id and list
   // is as if the edits and commits after the mark had not been made. So handles, shapes and segment ids that were given
   // out after it name nothing until they are given out again. While there are marks an edit costs some more, however
   // much was edited before it, and what is needed to undo it is kept: memory in proportion to the cells and segments
   // that changed since the oldest mark, each counted once between two marks. What a shape that was made after the mark
   // holds stays in memory.
 
-  /// Notes this moment. Edits may be pending. A mark is for this world and its later copies; no other world of this
-  /// process ever makes the same one. Its number says nothing else, and is another one in another run. Cost: O(1);
-  /// while edits are pending, in proportion to the chunks that they are in.
+  /// Notes this moment, and returns the mark. Edits may be pending. A mark is for this world and its later copies; no
+  /// other world of this process ever makes the same one. Its number means nothing else, and differs from run to run.
+  /// Cost: O(1); while edits are pending, in proportion to the chunks that they are in.
   [[nodiscard]] Mark checkpoint() noexcept;
 
-  /// Goes back to a mark. The mark stays, so that the world can go back to it again; later ones are void.
-  /// changesOfRollBack() then says what this did to the segments. Refused: unknownMark. Cost: in proportion to the
+  /// Rolls back to a mark. The mark stays, so that the world can roll back to it again; later ones are invalidated.
+  /// changesOfRollBack() then returns what this did to the segments. Refused: unknownMark. Cost: in proportion to the
   /// edits since the mark.
   ///
   /// With Undone::keep the later marks are *ahead*: rollForward() leads there. So a game that makes a mark at its begin
@@ -267,16 +268,16 @@ class World {
   ///   if (k + 1 < marks.size() && world.rollForward(marks[k + 1])) ++k;
   ///   marks.resize(++k); marks.push_back(world.checkpoint());  // after an edit and its commit
   ///
-  /// What is kept takes memory as long as the world can come back to where it went: until it goes back further without
-  /// keeping, goes back with keeping after an edit or another mark, or has no mark left from before.
+  /// What is kept takes memory as long as it can be redone: until the world rolls back further without keeping, rolls
+  /// back with keeping after an edit or another mark, or has no mark left from before.
   [[nodiscard]] Expected<void> rollBack(Mark mark, Undone undone = Undone::drop) noexcept;
 
-  /// Goes forward to a mark that is ahead, as if the world had not gone back beyond it: the edits and commits up to it
-  /// come back with their handles, shapes and segment ids. Marks that were made since it went back are void; those
-  /// further ahead stay ahead. changesOfRollBack() then says what this did to the segments. Refused: unknownMark, if
-  /// the mark is not ahead, or if something was edited, or a shape made, since the world went back or forward (and that
-  /// was not undone). Commits, chunks that leave memory and come back, and groups that were not kept do no harm.
-  /// Cost: as of rollBack().
+  /// Redoes up to a mark that is ahead, as if the world had not rolled back beyond it: the edits and commits up to it
+  /// come back with their handles, shapes and segment ids. Marks made since the roll-back are invalidated; those
+  /// further ahead stay ahead. changesOfRollBack() then returns what this did to the segments. Refused: unknownMark, if
+  /// the mark is not ahead, or if something was edited, or a shape made, since the roll-back or redo (and that was not
+  /// undone). Commits, chunks that leave memory and come back, and groups that were not kept do no harm. Cost: as of
+  /// rollBack().
   [[nodiscard]] Expected<void> rollForward(Mark mark) noexcept;
 
   /// What the last rollBack() or rollForward() did to the segments, after all commits before it: the three lists
@@ -285,50 +286,50 @@ class World {
   const Changes& changesOfRollBack() const noexcept;
 
   /// Lets go of a mark. Other marks stay. Refused: unknownMark, also for a mark ahead, and for one that was ahead when
-  /// something was edited. Cost: in all, O(log n) for each cell and segment that is kept to go back.
+  /// something was edited. Cost: in all, O(log n) for each cell and segment that is kept for a roll-back.
   Expected<void> forget(Mark mark) noexcept;
 
   // --- Leaving places -----------------------------------------------------------------------------------------------
 
   /// Lets go of a place that the game has left. Each chunk of 32×32 cells that lies in the rectangle as a whole and
   /// holds no polygon gives its memory back; and so does each unloaded one that had no loaded chunk around it at the
-  /// last commit, unless the world went back or forward over edits of it since it left, for then its bytes do not say
-  /// what it holds. Other chunks, and those that lie in the rectangle in part, stay as they are. Returns how many chunks
-  /// went. An empty rectangle is no error.
+  /// last commit, unless a roll-back or redo changed it since it was unloaded, for then its bytes are not what it
+  /// holds. Other chunks, and those that lie in the rectangle in part, stay as they are. Returns how many chunks were
+  /// forgotten. An empty rectangle is no error.
   ///
-  /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until
-  /// they are given out again, maybe for another place: what comes next is as if no edit had ever been there. Segments
-  /// and their ids, shapes, all other handles, and later outlines are not touched, so nothing has to follow.
+  /// All handles that were ever given out for cells of these chunks are *invalidated*: drop them. They name nothing,
+  /// until they are given out again, maybe for another place: what comes next is as if no edit had ever been there.
+  /// Segments and their ids, shapes, all other handles, and later outlines are not touched, so nothing has to follow.
   /// In a world that is saved, loaded or copied the same chunks are forgotten (law 12).
   ///
   /// Refused: cellOutOfRange, with a corner of the rectangle that is out of range; uncommitted, while edits are not
   /// committed or there are marks, since those may need the chunks. A game that always has marks forgets the chunks at
-  /// a moment to which it does not go back: it lets go of its marks, forgets, and makes a new one. Cost: in proportion
-  /// to the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the world, whichever are
-  /// fewer.
+  /// a moment to which it does not roll back: it lets go of its marks, forgets, and makes a new one. Cost: in
+  /// proportion to the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the world,
+  /// whichever are fewer.
   [[nodiscard]] Expected<std::uint64_t> forgetChunks(const CellRect& cells) noexcept;
 
   // Chunks leave memory with unload(), and come back with reload() or reloadEmpty(). The next commit reports which
-  // segments went, came and were relinked.
+  // segments were removed, added and relinked.
   //
-  // Being in memory is no edit. Going back and forward changes what the ground is, loaded or not, and loads or unloads
+  // Being in memory is no edit. Roll-back and redo change what the ground is, loaded or not, and load or unload
   // nothing: so a game streams as it likes while the player can undo and redo. The bytes that unload() gave last stay
-  // good. What changes in an unloaded chunk by going back is kept here, and is there when it comes back: 12 bytes for
-  // each of its cells that was edited since the oldest mark. Where no edits are pending at the mark, changesOfRollBack()
-  // has what came and went since the mark, too; otherwise the next commit has it, with these edits. An edit that is not
-  // kept, as a group, is undone in the same way. Two things are edits, and go back and end redo like all others: ground
-  // that a game makes, and bytes for a place where no chunk is.
+  // good. What a roll-back changes in an unloaded chunk is kept here, and is there when it is loaded: 12 bytes for each
+  // of its cells that was edited since the oldest mark. Where no edits are pending at the mark, changesOfRollBack() has
+  // what was loaded and unloaded since the mark, too; otherwise the next commit has it, with these edits. An edit that
+  // is not kept, as a group, is undone in the same way. Two things are edits, are undone and end the redo like all
+  // others: ground that a game makes, and bytes for a place where no chunk is.
   //
   // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no
   // wall appears where the loaded world ends. For that the outermost cells of an unloaded chunk stay known. They take
   // 12 bytes for each row of equal ones among these 124, and some 60 more.
   //
   // In an unloaded chunk every edit is refused (ErrorCode::unloaded); so are handles of its polygons, and they are
-  // valid again when it is back from its bytes. Questions that would have to look there say so. Whatever lists or
+  // valid again when it is back from its bytes. Questions that would have to look there return that. Whatever lists or
   // counts polygons or segments leaves it out. A segment may have a predecessor or a successor in it: the ghost is as
-  // ever, and reading that segment is refused as unloaded. A place where no chunk ever was is empty. To have it
-  // be unknown, put something there, take it away and unload the chunk: then questions and edits there say unloaded,
-  // and the ground beside it ends as at empty space; without taking it away, as at what was put there.
+  // ever, and reading that segment is refused as unloaded. A place where no chunk ever was is empty. To have it be
+  // unknown, put something there, remove it and unload the chunk: then questions and edits there return unloaded, and
+  // the ground beside it ends as at empty space; without removing it, as at what was put there.
 
   /// Chunks of 32×32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `sink`
   /// gets the bytes of each: its polygons, blocks and handles, as they are after all edits, committed or not. Returns
@@ -337,18 +338,18 @@ class World {
   /// chunks, and of each to what was undone and can come back.
   [[nodiscard]] Expected<std::uint64_t> unload(const CellRect& cells, const ChunkSink& sink) noexcept;
 
-  /// A chunk comes back as it was, to the last handle; but what the world went back or forward to since is changed.
-  /// Returns its lower-left cell. `chunk` is what unload() gave last for this chunk; where there is no chunk, as after
+  /// A chunk comes back as it was, to the last handle; but for what a roll-back or redo changed since. Returns its
+  /// lower-left cell. `chunk` is what unload() gave last for this chunk; where there is no chunk, as after
   /// forgetChunks(), it may be what any world gave that has the same preserve relation, and the handles are new. Bytes
   /// that are cut, damaged or made up are refused, as by load(). Cost: in proportion to the cells of the chunk, and
   /// quadratic in the vertices of each content of a cell that is new.
   [[nodiscard]] tl::expected<Cell, SnapshotError> reload(std::span<const std::byte> chunk) noexcept;
 
   /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their
-  /// ground anew, with edits, before the next commit. What they held is given up at all marks, too: a roll-back
-  /// finds them empty. Handles from before name nothing, and are never given out again. Returns how many chunks these
-  /// are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells
-  /// of these chunks, and of each to what is kept to go back.
+  /// ground again, with edits, before the next commit. What they held is given up at all marks, too: a roll-back finds
+  /// them empty. Handles from before name nothing, and are never given out again. Returns how many chunks these are.
+  /// Refused: cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells of
+  /// these chunks, and of each to what is kept for a roll-back.
   [[nodiscard]] Expected<std::uint64_t> reloadEmpty(const CellRect& cells) noexcept;
 
   /// The first cell of a rectangle that is unloaded, by rows from `min`; nothing if none is. Cost: in proportion to the
@@ -372,11 +373,11 @@ class World {
   /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
   /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the
   /// commit or roll-back before, and those of chunks that left memory or came back: empty after, or before. A chunk of
-  /// which no other cell is named is named by one that is empty both times. After a roll-back these are the cells that were edited, and committed, since the last
-  /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are reported by the
-  /// next commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it
-  /// held. Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost:
-  /// O(1).
+  /// which no other cell is named is named by one that is empty both times. After a roll-back these are the cells that
+  /// were edited, and committed, since the last commit before the mark; `now` is as of that commit, and edits that were
+  /// pending at the mark are reported by the next commit. So it is after rollForward(), with what comes back. A cell is
+  /// named even if it holds again what it held. Empty if nothing is followed, or nothing changed. Valid until the next
+  /// edit, commit or roll-back. Cost: O(1).
   std::span<const CellChange> cellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
@@ -387,10 +388,11 @@ class World {
   [[nodiscard]] Expected<void> save(const ByteSink& sink) const noexcept;
 
   /// The world that was saved. It goes on exactly: the same edits give the same ids and lists as if it had never been
-  /// saved (law 12). It has no marks. `snapshot` is what save() wrote and nothing more: a file with more in it says how
-  /// long this part is. `preserve` must be the relation that it was saved with, or empty if it had none. Bytes that are
-  /// cut, damaged or made up are refused; they take no more memory than a constant for each byte. Cost: in proportion
-  /// to the world, and quadratic in the vertices of each content of a cell that has several polygons, as shape() is.
+  /// saved (law 12). It has no marks. `snapshot` is what save() wrote and nothing more: a file with more in it stores
+  /// how long this part is. `preserve` must be the relation that it was saved with, or empty if it had none. Bytes that
+  /// are cut, damaged or made up are refused; they take no more memory than a constant for each byte. Cost: in
+  /// proportion to the world, and quadratic in the vertices of each content of a cell that has several polygons, as
+  /// shape() is.
   [[nodiscard]] static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot,
                                                                PreserveRelation preserve = {}) noexcept;
 
@@ -467,7 +469,7 @@ class World {
 
   /// The version of the segments, as of the last commit. Each commit that changes any makes a new one, and no world of
   /// this process ever makes the same one. A copy has the version of its original, until one of them changes.
-  /// rollBack() brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions say
+  /// rollBack() brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions mean
   /// nothing else: the same edits make other ones in another run, and law 12 does not hold for them.
   std::uint64_t version() const noexcept;
 
@@ -500,9 +502,9 @@ bool samePolygons(const World& a, const World& b) noexcept;
 ///
 /// A commit keeps what was edited before it, and ends the group: what follows is not undone. A commit that finds
 /// nothing to do, since after the commit before it no cell was edited and no chunk left memory or came back, ends no
-/// group. Going back or forward, to a mark made within the group, shows such chunks at once: then it ends the group, as
-/// that commit would. The world must not be moved,
-/// assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
+/// group. Roll-back or redo, to a mark made within the group, shows such chunks at once: then it ends the group, as
+/// that commit would. The world must not be moved, assigned to or destroyed before the group ends. A copy of it has the
+/// edits made so far, and no group.
 class Transaction {
  public:
   /// Begins the group: World::edit() does it. The world must outlive it.

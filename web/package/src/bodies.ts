@@ -5,9 +5,9 @@ import type { Box, Form, Frame, OnOverlap, Point, TerrainRules } from './terrain
 /** A body that new ground would hold, or holds. */
 export interface Overlap<Body> {
   readonly body: Body
-  /** How deep the ground is in it, in metres: from half way to its middle on. */
+  /** How deep the ground is in it, in metres: from half way to its centre on. */
   readonly depth: number
-  /** Whether there is a way out, and it, in metres. */
+  /** Whether there is a path out, and it, in metres. */
   readonly isFree: boolean
   readonly displacement: Point
 }
@@ -210,7 +210,7 @@ export class Bodies<Body, Material> {
   }
 
   /**
-   * Where a place is rounded, as the origin moved since or as a way ends there, a middle may come onto the outline. Then
+   * Where a place is rounded, as the origin moved since or as a path ends there, a centre may come onto the outline. Then
    * the nearest of the places around that is free; null if none is.
    */
   #freeNear(body: Body, place: Place): Place | null {

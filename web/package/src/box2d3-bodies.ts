@@ -72,7 +72,7 @@ export interface Box2D {
   b2DefaultShapeDef(): ShapeDef
   b2DefaultChainDef(): ChainDef
   b2DefaultQueryFilter(): Handle & { categoryBits: number; maskBits: number }
-  // The types of box2d3-wasm call its structs by names of their own, so here they are `any`.
+  // The types of box2d3-wasm name its structs otherwise, so here they are `any`.
   b2CreateBody(physics: PhysicsId, def: any): ObjectId
   b2DestroyBody(body: ObjectId): void
   readonly b2BodyType: { readonly b2_dynamicBody: any }
@@ -266,7 +266,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
     return forms
   }
 
-  /** A shape in its body; by its middle Box2D judges on which side of an edge it is. Null if edges do not hold it. */
+  /** A shape in its body; by its centre Box2D decides on which side of an edge it is. Null if edges do not hold it. */
   #outlineOf(shape: ObjectId): { hull: Point[]; radius: number; middle: Point } | null {
     const { box2d } = this
     switch (box2d.b2Shape_GetType(shape).value) {

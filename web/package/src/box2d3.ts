@@ -1,6 +1,6 @@
 // Terrain for box2d3-wasm: the outline of a world as one-sided edges with ghost vertices, kept up to date there.
 // Each edge is an open chain of four points: ghost1, start, end, ghost2. Of these Box2D makes one edge. It is on the body
-// of its chunk of cells. A chain cannot be changed, so one that gets another ghost is made anew.
+// of its chunk of cells. A chain cannot be changed, so one that gets another ghost is made again.
 //
 // Box2D cannot use edges as short as its linear slop. Which short segments are welded into one edge, and which are left
 // out, is decided in C++; docs/box2d.md describes it.

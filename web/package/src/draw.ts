@@ -1,5 +1,5 @@
 // What a game draws, chunk by chunk: lines along the outline, and filled triangles. After a commit those chunks come that
-// look different, so that a game draws anew only these. Phaser, Pixi, a canvas: examples/ has each.
+// look different, so that a game draws only these again. Phaser, Pixi, a canvas: examples/ has each.
 import earcut from 'earcut'
 import { int32, object, rect, within } from './check.js'
 import { LgsError } from './error.js'
@@ -61,7 +61,7 @@ class Chunks {
 function follow(changes: Changes, version: Version, world: World): boolean {
   if (object('changes', 'those of a commit', changes).before === changes.after) return false
   if (changes.before !== version || changes.after !== world.version)
-    throw new LgsError('left-out', 'these changes do not follow those that were drawn: make it anew, for all chunks')
+    throw new LgsError('left-out', 'these changes do not follow those that were drawn: make it again, for all chunks')
   return true
 }
 

@@ -27,7 +27,7 @@ interface Fallen<Body> {
   took: number
   settled: number
   isInAir: boolean
-  /** How often it did not become ground by itself, or nothing held it then; and the step before which it does not try. */
+  /** How often it did not become ground at rest, or nothing held it then; and the step before which it does not try. */
   tries: number
   until: number
 }

@@ -4,8 +4,8 @@ import type { Block, CellRect, Changes, World, WorldOptions } from './types.js'
 
 /**
  * Where chunks of 32×32 cells are that are not in memory, by the column and the row of their lower left cells. A later
- * put() takes the place of an earlier one. Where get() can not answer yet, as it asks a disk, it gives nothing: the chunk
- * stays away, and the next window() asks again.
+ * put() takes the place of an earlier one. Where get() can not answer yet, as it reads a disk, it gives nothing: the chunk
+ * stays away, and the next window() tries again.
  */
 export interface Shelf {
   put(i: number, j: number, bytes: Uint8Array): void
@@ -18,7 +18,7 @@ export interface GroundOptions {
   readonly preserve?: WorldOptions['preserve']
   /**
    * Makes the land of a chunk that was never loaded, when a window comes near it: with edits inside its cells alone,
-   * which hold nothing; the same for the same chunk, in whichever world and whenever it is asked.
+   * which hold nothing; the same for the same chunk, in whichever world and whenever it is called.
    */
   readonly land?: (land: World, chunk: CellRect) => void
   /** Where chunks outside of the window are: in memory, if none is given. */
@@ -62,7 +62,7 @@ export interface GroundDrawing {
   readonly lines: readonly Float64Array[]
 }
 
-/** What a Ground asks of a physics engine, or of what is in its place. */
+/** What a Ground needs of a physics engine, or of what is in its place. */
 export interface Host<Body> {
   /** Throws where nothing can be changed now. */
   refuseInStep(): void
@@ -71,7 +71,7 @@ export interface Host<Body> {
   /** A body for a rock; null, if there can be none. */
   make(ground: GroundBody, motion: Motion): Body | null
   motionOf(body: Body): Motion
-  /** Whether it may be ground again by itself. */
+  /** Whether it rests, and may be ground again. */
   rests(body: Body): boolean
   /** Puts it into the ground, as an edit, and its body goes. False, and nothing has changed, where it does not fit. */
   settle(body: Body, ground: GroundBody): boolean

@@ -103,10 +103,10 @@ export class Islands extends Follower {
   }
 
   /**
-   * What an edit would do: makes it, looks, and goes back. The world and the islands are as before, but for the ids of
+   * What an edit would do: makes it, looks, and rolls back. The world and the islands are as before, but for the ids of
    * islands; those in the result name nothing any more, and nothing is loose() then. Other followers of the world need
    * not hear of it. What the edit throws comes out of it. It must only edit: after a commit or a roll-back in it this
-   * throws 'left-out', and everything that follows the world begins anew.
+   * throws 'left-out', and everything that follows the world begins again.
    */
   foresee(edit: (world: World) => void): Foreseen {
     if (typeof edit !== 'function') throw bad('edit', 'a function', edit)

@@ -37,7 +37,7 @@ class Layout {
   }
 }
 
-/** The arrays of the segments from `first` to `first + length` of a block. Each is made when it is asked for. */
+/** The arrays of the segments from `first` to `first + length` of a block. Each is made when it is first read. */
 class Arrays {
   readonly length: number
   readonly #page: ArrayBuffer
@@ -94,7 +94,7 @@ const keptBlocks = 256
 /** Bytes; a greater page is given back when it is far too great. */
 const greatPage = 1 << 20
 
-/** Of lists that never held anything, as most of a thousand worlds may be. Nobody writes there. */
+/** Of lists that never held anything, as most of a thousand worlds may be. Nothing writes there. */
 const noPage = new ArrayBuffer(0), noWords = new Uint32Array(noPage), noVersions = new Float64Array(2)
 
 /** Lists of a world: those of its last commit or roll-back, or of its last question for segments. */
@@ -147,7 +147,7 @@ export class Lists {
   }
 }
 
-/** postMessage() and structuredClone() read what is their argument's own. So they come upon this one, and tell. */
+/** postMessage() and structuredClone() read what is their argument's own. So they come upon this one, which throws. */
 const onlyCopiesCanBePosted = Object.defineProperty({}, 'postACopy', {
   enumerable: true,
   get() { throw new LgsError('not-a-copy', 'the next commit overwrites these lists, so they can not be posted: post their copy()') },

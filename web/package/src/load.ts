@@ -19,7 +19,7 @@ async function compiled(response: Response): Promise<WebAssembly.Module | null> 
   return new DataView(bytes).byteLength >= 4 && new DataView(bytes).getUint32(0) === 0x0061736d ? WebAssembly.compile(bytes) : null
 }
 
-/** Vite's development server moves modules into a folder of its own; the package itself is where it was. */
+/** Vite's development server moves modules into another folder; the package itself is where it was. */
 function unmoved(url: string): string | null {
   const parts = /^(.*?)(\/node_modules)?\/\.vite\/deps[^/]*\/([^/?]+)/.exec(url)
   return parts && `${parts[1]}/node_modules/localgridseg/dist/${parts[3]}`

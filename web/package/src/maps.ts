@@ -5,7 +5,7 @@ import { LgsError } from './error.js'
 import type { Block, ImportedMap, ImportOptions, MapFiles, World } from './types.js'
 import { placeOf } from './world.js'
 
-/** What lgs::web::importMap() tells, apart from the numbers. */
+/** What lgs::web::importMap() returns, apart from the numbers. */
 interface Told {
   error?: string
   line?: number
@@ -23,10 +23,10 @@ interface Told {
 const nameOf = (path: string) => path.slice(path.search(/[^/\\]*$/))
 const folderOf = (path: string) => path.slice(0, -nameOf(path).length - 1) || '.'
 
-/** Files given as an object, as the importer asks for them. */
+/** Files given as an object, as the importer reads them. */
 function lookup(files: MapFiles) {
   const all = new Map(Object.entries(object('files', 'contents by their paths', files)))
-  // What is found wrong later would end the engine: it can not be told while the importer runs.
+  // What is found wrong later would end the engine: it can not be reported while the importer runs.
   for (const [path, content] of all)
     if (typeof content !== 'string' && !(content instanceof Uint8Array)) throw bad(path, 'a string or a Uint8Array', content)
   const byName = new Map([...all].map(([path, content]) => [nameOf(path), content]))

@@ -1,4 +1,4 @@
-// The naive reference and the checker of the harness, in a module of WebAssembly of their own: beside the engine of the
+// The naive reference and the checker of the harness, in a separate module of WebAssembly: beside the engine of the
 // page, or without it. web/wasm/oracle.cpp is the other side.
 import { bad } from './check.js'
 import { LgsError } from './error.js'

@@ -22,7 +22,7 @@ export interface PieceId {
 }
 
 /**
- * The way from one free piece to another: what the two have in common. `right` and `left` are its ends, as seen by who
+ * From one free piece to another: what the two have in common. `right` and `left` are its ends, as seen by one who
  * goes through: [x, y] in cells of the world.
  */
 export interface Portal {
@@ -93,7 +93,7 @@ export class Pieces extends Follower {
     return pieces
   }
 
-  /** The ways out of a free piece, as of the last update. A piece that is not there has none. */
+  /** The portals of a free piece, as of the last update. A piece that is not there has none. */
   portals(piece: PieceId): Portal[] {
     object('piece', '{ i, j, index }', piece)
     const i = int32('i', piece.i), j = int32('j', piece.j), index = uint32('index', piece.index)
@@ -108,7 +108,7 @@ export class Pieces extends Follower {
     })
   }
 
-  /** A free piece that has a point, its rim included; null in what is solid. */
+  /** A free piece that has a point, its boundary included; null in what is solid. */
   freePieceAt(x: number, y: number): PieceId | null {
     real('x', x), real('y', y)
     const { call, view } = this.at

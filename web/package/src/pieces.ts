@@ -1,4 +1,4 @@
-// The same as `localgridseg`, and convex pieces of what is solid and of what is free: for bodies, and for ways.
+// The same as `localgridseg`, and convex pieces of what is solid and of what is free: for bodies, and for paths.
 //
 //   import { init, createWorld, Pieces } from 'localgridseg/pieces'
 //   await init()

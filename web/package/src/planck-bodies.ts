@@ -31,7 +31,7 @@ function overlaps(fixture: Fixture, { lowerBound: a, upperBound: b }: AABBValue)
   return false
 }
 
-/** Of whichever copy of planck: what is asked of it is there. */
+/** Of whichever copy of planck: what is needed of it is there. */
 export function isPhysics(physics: Physics): void {
   const { createBody, on, queryAABB } = (physics ?? {}) as Physics
   if ([createBody, on, queryAABB].some((f) => typeof f !== 'function')) throw bad('physics', 'a World of planck', physics)

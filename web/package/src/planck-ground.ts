@@ -29,7 +29,7 @@ export class Ground extends GroundBase<Body> {
     this.start(this.#host)
   }
 
-  /** To ask what was hit, and the like; it is synced already. */
+  /** For questions such as what was hit; it is synced already. */
   get terrain(): PlanckTerrain { return this.#host.terrain }
 
   protected override hold(world: World, islands: Islands): void { this.#host.hold(world, islands) }

@@ -65,7 +65,7 @@ export class PlanckTerrain extends TerrainBase<Body, Material> {
   }
 
   /**
-   * Which tile was hit? Null if what was hit is not of this terrain. Of a contact, where its points are in their middle.
+   * Which tile was hit? Null if what was hit is not of this terrain. Of a contact, at the centre of its points.
    * Of a fixture the point is as for segment().
    */
   hit(what: Fixture | Contact, point?: Point): Hit | null {

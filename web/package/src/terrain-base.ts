@@ -139,7 +139,7 @@ export abstract class TerrainBase<Body, Material> {
 
   // --- Bodies: law 13
 
-  /** Between a commit and its sync(): which bodies the new ground would hold, how deep, and their way out. */
+  /** Between a commit and its sync(): which bodies the new ground would overlap, how deep, and their displacement. */
   overlapsWith(changes: Changes): Overlap<Body>[] {
     if (!this.rules.fits(changes)) return []
     const box = this.rules.begin('last')
@@ -197,7 +197,7 @@ export abstract class TerrainBase<Body, Material> {
 
   /**
    * Makes the corner of another cell (0, 0) of the physics world, which keeps its origin near the player. Moves the
-   * terrain's bodies; the others are yours to move, before. Where that rounded a middle into the ground, the body is moved
+   * terrain's bodies; the others are yours to move, before. Where that rounded a centre into the ground, the body is moved
    * on by some units.
    */
   moveOrigin(cell: { readonly i: number; readonly j: number }): void {
@@ -228,7 +228,7 @@ export function cutOut<Body, Material>(terrain: TerrainBase<Body, Material>, wor
   if (!(terrain instanceof TerrainBase)) throw bad('terrain', 'a terrain', terrain)
   placeOf(world)
   const regions = terrain.overlapsWith(changes).map(({ body }) => terrain.outlinesOf(body))
-  // The terrain is told of the changes while they are the last ones: what is carved comes with the next commit.
+  // The terrain gets the changes while they are the last ones: what is carved comes with the next commit.
   const isCut = regions.every((region) => carved(world, region))
   isCut ? terrain.sync(changes, 'leave') : terrain.sync(changes)
   terrain.sync(world.commit())

@@ -40,7 +40,7 @@ export interface CommonOptions<Material> {
   material?: (block: Block) => Material
   /**
    * What is done with bodies that new ground overlaps. 'push' (the default): they are moved out, by the shortest
-   * straight way that was found, and none of their middles crosses an edge of the old outline; a body without such a way is
+   * straight path that was found, and none of their centres crosses an edge of the old outline; a body without one is
    * disabled. 'disable': they are disabled, and enabled when a later sync nearby has made room. 'leave': nothing; they may fall
    * through the ground.
    */
@@ -156,7 +156,7 @@ export class TerrainRules<Material> {
     this.#version = -1
   }
 
-  // --- Materials: material() may use the package, or throw. So it is asked before anything changes.
+  // --- Materials: material() may use the package, or throw. So it is called before anything changes.
 
   materialOf(block: Block): Material {
     let material = this.#materials.get(block)
@@ -247,7 +247,7 @@ export class TerrainRules<Material> {
 
   // --- Bodies
 
-  /** Whether the change between begin() and end() catches a body of these forms; how deep, and the way out. */
+  /** Whether the change between begin() and end() overlaps a body of these forms; how deep, and the displacement. */
   overlap(forms: readonly Form<Material>[], tolerance: number): { depth: number; way: Point | null } | null {
     const engine = this.#engine
     if (!this.#ask(engine, forms, (numbers) => engine.call.overlap(this.#terrain, forms.length, numbers, tolerance))) return null
@@ -255,7 +255,7 @@ export class TerrainRules<Material> {
     return { depth, way: isFree ? { x, y } : null }
   }
 
-  /** The way of a disabled body into freedom, where the last change has made room for it. */
+  /** The path of a disabled body out, where the last change has made room for it. */
   released(forms: readonly Form<Material>[], tolerance: number): Point | null {
     const engine = this.#engine
     if (!this.#ask(engine, forms, (numbers) => engine.call.released(this.#terrain, forms.length, numbers, tolerance))) return null
@@ -268,7 +268,7 @@ export class TerrainRules<Material> {
     return this.#ask(engine, forms, (numbers) => engine.call.fits(this.#terrain, forms.length, numbers, tolerance)) !== 0
   }
 
-  /** Whether a middle came through ground on the way from the one place to the other. */
+  /** Whether a centre came through ground on the path from the one place to the other. */
   crossed(before: readonly Form<Material>[], now: readonly Form<Material>[]): boolean {
     const engine = this.#engine
     return this.#ask(engine, [...before, ...now], (numbers) => engine.call.crossed(this.#terrain, now.length, numbers)) !== 0
@@ -295,7 +295,7 @@ export class TerrainRules<Material> {
     return rings
   }
 
-  /** Asks again until the materials of all blocks that were met are known: material() can not be asked on the way. */
+  /** Repeats until the materials of all blocks that were met are known: material() can not be called in between. */
   #ask(engine: Engine, forms: readonly Form<Material>[], question: (numbers: number) => number): number {
     const numbers = numbersOf(forms), unknown = new Set<Block>()
     for (;;) {

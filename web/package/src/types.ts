@@ -17,7 +17,7 @@ export type PolygonId = Id<'polygon'>
 export type SegmentId = Id<'segment'>
 /** A number of yours that a polygon carries, say of a material: 0 to 2^32 - 1. */
 export type Block = Id<'block'>
-/** A moment to which a world can go back. */
+/** A moment to which a world can roll back. */
 export type Mark = Id<'mark'>
 /** A state of the segments: World.version. */
 export type Version = Id<'version'>
@@ -245,10 +245,10 @@ export interface World {
   paint(region: Region, block: Block, mode?: 'fill' | 'replace'): BrushResult
   carve(region: Region): BrushResult
 
-  /** Brings the segments up to date with all edits, and says what changed. */
+  /** Brings the segments up to date with all edits, and returns what changed. */
   commit(): Changes
   checkpoint(): Mark
-  /** The mark stays. Later ones are void, or with 'keep' they are ahead, and rollForward() leads there. */
+  /** The mark stays. Later ones are invalidated, or with 'keep' they are ahead, and rollForward() leads there. */
   rollBack(mark: Mark, undone?: 'drop' | 'keep'): Changes
   /** To a mark that is ahead: what was undone comes back with its handles and ids, if nothing was edited since. */
   rollForward(mark: Mark): Changes
@@ -256,14 +256,14 @@ export interface World {
 
   /**
    * The chunks of 32×32 cells that lie in a rectangle as a whole leave memory. They are handed out as bytes, with which
-   * they come back. The next commit tells that their segments went, and no wall appears where the loaded world ends.
+   * they come back. The next commit reports their segments as removed, and no wall appears where the loaded world ends.
    * Until they are back edits there are refused as 'unloaded', and so are handles of their polygons, and questions that
    * would have to look there.
    */
   unload(cells: CellRect): UnloadedChunk[]
   /** A chunk comes back as it was, to the last handle: the bytes that unload() gave last for it. Returns where it is. */
   reload(chunk: Uint8Array): { i: number; j: number }
-  /** The unloaded chunks that lie in a rectangle as a whole come back empty, for a game that makes their ground anew.
+  /** The unloaded chunks that lie in a rectangle as a whole come back empty, for a game that makes their ground again.
    * Returns how many these are. */
   reloadEmpty(cells: CellRect): number
   /** The first unloaded cell of a rectangle, by rows; null if there is none. */
@@ -289,7 +289,7 @@ export interface World {
 
   /**
    * The world as bytes: loadWorld() makes it again. Everything must be committed. Marks are not saved: the loaded world
-   * has none, and it has a version of its own. Ids and handles are saved.
+   * has none, and it has another version. Ids and handles are saved.
    */
   save(): Uint8Array
   /** The same as text (Base64), for JSON or localStorage. A third longer. */
@@ -321,7 +321,7 @@ export interface ImportOptions {
   solidIf?: readonly string[]
   /** Where blocks come from. Default 'one': every polygon has block 1. */
   block?: 'one' | 'class' | 'name' | 'layer'
-  /** The block of a class, name or layer; others get numbers of their own. */
+  /** The block of a class, name or layer; others get further numbers. */
   numbers?: Readonly<Record<string, Block>>
   /** Tile layers to import; all by default. */
   layers?: readonly string[]

@@ -13,7 +13,7 @@ import type {
 
 const brushLists = ['removed', 'added', 'rounded']
 
-/** Each list is made when it is asked for. A large stroke names millions of polygons, and hardly anybody reads them. */
+/** Each list is made when it is first read. A large stroke names millions of polygons, which are hardly ever read. */
 class Brushed implements BrushResult {
   readonly #numbersOf: (list: string) => Float64Array
   readonly #lists: Record<string, readonly PolygonId[]> = {}
@@ -181,7 +181,7 @@ class EngineWorld implements World {
     })
   }
 
-  // --- Commits and going back
+  // --- Commits, roll-back, redo
 
   commit(): Changes {
     this.#refuseInGroup()
@@ -356,7 +356,7 @@ export function createWorld(options: WorldOptions = {}): World {
 
 /**
  * The world that save() or saveText() wrote, here or in C++. It goes on exactly: the same edits give the same ids. It has
- * no marks, and what follows a world (a terrain, an OutlineLines) is to be made anew for it.
+ * no marks, and what follows a world (a terrain, an OutlineLines) is to be made again for it.
  */
 export function loadWorld(saved: Uint8Array | string, options: WorldOptions = {}): World {
   if (!(saved instanceof Uint8Array) && typeof saved !== 'string') throw bad('saved', 'a Uint8Array or a string', saved)

@@ -172,12 +172,12 @@ LGS_API void lgs_body_free(lgs_body* body) LGS_NOTHROW;
 /* What an edit would do to the islands. Its ids name nothing in the view. */
 typedef struct lgs_foreseen lgs_foreseen;
 
-/* An edit that is tried: 0, if it was refused. It may change the world, but neither commit, go back nor make marks. */
+/* An edit that is tried: 0, if it was refused. It may change the world, but not commit, roll back or make marks. */
 typedef int32_t (*lgs_edit_fn)(void* user, lgs_world* world);
 
 /* Makes an edit, looks, and takes it back: world and view are as before, but for which ids come next, and the redo is
- * over, as after any edit. An edit that is refused would do nothing. No edit may be pending: else what is foreseen may be
- * wrong, and nothing worse. Cost: that of the edit, of two updates and of going back. */
+ * over, as after any edit. An edit that is refused would do nothing. No edit may be pending: else what is foreseen may
+ * be wrong, and nothing worse. Cost: that of the edit, of two updates and of a roll-back. */
 LGS_API lgs_status lgs_foresee(lgs_world* world, lgs_islands* islands, lgs_edit_fn edit, void* user,
                                lgs_foreseen** foreseen) LGS_NOTHROW;
 LGS_API void lgs_foreseen_free(lgs_foreseen* foreseen) LGS_NOTHROW;
@@ -199,7 +199,7 @@ typedef struct lgs_pieces lgs_pieces;
 /* What pieces are of: what polygons cover, or what they leave. */
 enum { LGS_SOLID = 0, LGS_FREE = 1 };
 
-/* A way out of a free piece. */
+/* A portal of a free piece: what it and another one have in common. */
 typedef struct lgs_portal {
   lgs_cell cell;     /* that of the piece to which it leads */
   uint32_t index;    /* of that piece among the free ones of its cell */
@@ -213,8 +213,8 @@ LGS_API lgs_status lgs_pieces_new(const lgs_world* world, size_t max_vertices, l
 LGS_API lgs_status lgs_pieces_copy(const lgs_pieces* pieces, lgs_pieces** copy) LGS_NOTHROW;
 LGS_API void lgs_pieces_free(lgs_pieces* pieces) LGS_NOTHROW;
 
-/* Takes over what the last commit or roll-back changed, of a world that follows its cells. Reports which cells have other
- * pieces now; the list stays until the next update. Miss no commit: this is not checked. */
+/* Takes over what the last commit or roll-back changed, of a world that follows its cells. Reports which cells have
+ * other pieces now; the list stays until the next update. Miss no commit: this is not checked. */
 LGS_API lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world, const lgs_cell** cells,
                                      size_t* count) LGS_NOTHROW;
 
@@ -226,7 +226,7 @@ LGS_API lgs_status lgs_pieces_count(const lgs_pieces* pieces, lgs_cell cell, int
 LGS_API lgs_status lgs_pieces_get(const lgs_pieces* pieces, const lgs_world* world, lgs_cell cell, int32_t part,
                                   size_t index, lgs_local_point* vertices, size_t capacity, size_t* count,
                                   lgs_polygon_id* polygon) LGS_NOTHROW;
-/* The ways out of a free piece, as a list. One that is not there has none. */
+/* The portals of a free piece, as a list. A piece that is not there has none. */
 LGS_API lgs_status lgs_pieces_portals(const lgs_pieces* pieces, lgs_cell cell, uint32_t index, lgs_portal* out,
                                       size_t capacity, size_t* count) LGS_NOTHROW;
 

@@ -1,5 +1,5 @@
-// The ground of a game, held as one: it is dug, painted and built, what is cut off falls and becomes ground again where it
-// rests, all of that is undone and redone, a window of it is in memory, and all of it is saved, loaded and drawn.
+// The ground of a game, held as one: it is dug, painted and built, what is cut off falls and becomes ground again where
+// it rests, all of that is undone and redone, a window of it is in memory, and all of it is saved, loaded and drawn.
 //
 //   lgs::box2d::Ground ground({.isAnchor = isBedrock, .land = hills}, physics,   // <lgs/box2d/ground.h>
 //                             lgs::box2d::TerrainOptions{.cellSize = 0.5});
@@ -12,9 +12,9 @@
 //   ground.step([&] { physics.Step(1.0F / 60, 8, 3); });
 //   for (const lgs::GroundDrawing& d : ground.draw()) renderer.set(d.cells, d.fills, d.lines);  // what changed
 //
-// lgs::Ground<> is the same without physics: its rocks are values that the game moves (ground_parts.h). It owns the order
-// of calls, the marks, and the bodies that came out of the ground, and nothing else: world(), islands() and host() are
-// there for questions. To edit or commit the world directly goes around it; edit() takes any edits.
+// lgs::Ground<> is the same without physics: its rocks are values that the game moves (ground_parts.h). It owns the
+// order of calls, the marks, and the bodies that came out of the ground, and nothing else: world(), islands() and
+// host() are there for questions. To edit or commit the world directly goes around it; edit() takes any edits.
 //
 // The rules that it keeps:
 //
@@ -44,7 +44,7 @@
 
 namespace lgs {
 
-/// The comment at the top of this file is its manual. `Host` is the physics: NoPhysics says what is asked of it.
+/// The comment at the top of this file is its manual. `Host` is the physics: NoPhysics has what is needed of it.
 template <class Host = NoPhysics>
 class Ground {
  public:
@@ -140,8 +140,8 @@ class Ground {
   Expected<void> save(const ByteSink& sink) {
     return saveGround(world_, options_.shelf, rocksAsValues(), {made_.begin(), made_.end()}, sink);
   }
-  /// What was saved takes the place of all that is there. What hangs in the air falls. False, and nothing is changed, if
-  /// these are not the bytes of a save: cut, damaged or made up ones are.
+  /// What was saved takes the place of all that is there. What hangs in the air falls. False, and nothing is changed,
+  /// if these are not the bytes of a save: cut, damaged or made up ones are.
   bool load(std::span<const std::byte> bytes) {
     auto loaded = loadGround(bytes, options_.preserve, window_, options_.shelf);
     if (!loaded) return false;

@@ -41,12 +41,12 @@ struct GroundOptions {
   PreserveRelation preserve{};  ///< of its world
   StayingBlocks staying{};      ///< what dig() and paint() go around
   /// Makes the land of a chunk that was never loaded, with edits inside its cells alone, which hold nothing: the same
-  /// for the same chunk, in whichever world and whenever it is asked. Empty: there is none but what the game edits.
+  /// for the same chunk, in whichever world and whenever it is called. Empty: there is none but what the game edits.
   std::function<void(World& land, const CellRect& chunk)> land{};
   Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
   std::size_t undoSteps = 64;     ///< how many strokes can be undone
-  /// Is notified of each commit, roll-back and roll-forward: for further views, or the server of addons/sync. After a load()
-  /// they begin anew, which the game sees to.
+  /// Is notified of each commit, roll-back and roll-forward: for further views, or the server of addons/sync. After a
+  /// load() the game begins them again.
   std::function<void(const World& world, const Changes& changes)> follow{};
 };
 
@@ -125,7 +125,7 @@ class NoPhysics {
   /// How a rock lies, to be moved; it must be there.
   Rock& rock(Handle handle) { return rocks_.at(handle); }
 
-  // What a Ground asks of a physics engine; every host has these.
+  // What a Ground needs of a physics engine; every host has these.
 
   static bool isSame(Handle a, Handle b) { return a == b; }  ///< whether both name the same body
   void show(const Changes& /*changes*/) {}                   ///< after each commit and roll-back

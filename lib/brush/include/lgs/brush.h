@@ -6,15 +6,9 @@
 //   for (const auto& [old, now] : done->changed) …    // what your game keeps by handle
 //   world.commit();                                   // as after any edit
 //
-// Brushes have four laws, on top of those of docs/contract.md. docs/internals/brushes.md says how they are kept.
-//
-//   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
-//      lies within one lattice unit of an edge of that exact result.
-//   9. What is not reached stays. A polygon whose interior and outline the region does not meet keeps its handle and
-//      its vertices. Rounding breaks this now and then, by less than a unit; BrushResult::rounded then names the polygon.
-//  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them. Ground of
-//      one block that was carved is whole again when the same region is painted.
-//  11. Total. Any finite region in range works, or is refused as a whole.
+// Brushes have laws 8 to 11 of docs/contract.md: bounded rounding (at most one lattice unit from an edge of the exact
+// result), what is not reached stays (or BrushResult::rounded names it), no seams, total. docs/internals/brushes.md has
+// how they are kept.
 //
 // Units: a Point is in lattice units of the world, 65,536 to a cell. Lengths are in lattice units too.
 #pragma once
@@ -51,7 +45,7 @@ using Ring = std::vector<Point>;
 
 /// A set of points, given by closed rings. They may cross and overlap, and run either way around.
 struct Region {
-  std::vector<Ring> rings;            ///< closed, each by itself
+  std::vector<Ring> rings;            ///< each is closed
   FillRule rule = FillRule::nonZero;  ///< which points are inside them
 };
 

@@ -61,8 +61,8 @@ struct PieceId {
   friend constexpr auto operator<=>(const PieceId&, const PieceId&) = default;
 };
 
-/// The way from one free piece to another, in the same cell or across a side: what the two have in common, a segment
-/// whose ends are vertices of either. Pieces that have only a point in common have no way.
+/// From one free piece to another, in the same cell or across a side: what the two have in common, a segment whose ends
+/// are vertices of either. Pieces that have only a point in common have no portal.
 struct Portal {
   PieceId to;   ///< the other piece
   Point right;  ///< the end on the right when passing, in lattice units of the world
@@ -115,10 +115,10 @@ class Pieces {
   /// O(1).
   std::span<const Piece> freePieces(Cell cell) const noexcept;
 
-  /// The ways out of a free piece: inside the cell, in the order of their right ends, then across the south, east,
-  /// north and west side, each from its lower coordinates on. A piece that is not there has none. Portals are
-  /// symmetric: the other piece has the same one, with left and right exchanged. Cost: in proportion to the portals of
-  /// the piece, and to the free pieces on the sides that it touches, here and in the neighbour.
+  /// The portals of a free piece: inside the cell, in the order of their right ends, then across the south, east, north
+  /// and west side, each from its lower coordinates on. A piece that is not there has none. Portals are symmetric: the
+  /// other piece has the same one, with left and right exchanged. Cost: in proportion to the portals of the piece, and
+  /// to the free pieces on the sides that it touches, here and in the neighbour.
   std::vector<Portal> portals(PieceId piece) const noexcept;
   void portals(PieceId piece, std::vector<Portal>& out) const noexcept;  ///< the same, replacing the content of `out`
 

@@ -22,8 +22,8 @@ struct MassOfPolygons {
   double secondMoment = 0;  ///< of area, about the centroid, in cells to the power of 4: times density it is inertia
 };
 
-/// Ground that moves by itself. Its origin is the lower-left corner of a cell: where that cell lies in the world, the
-/// body lies as it lay in the ground.
+/// Ground that has left the world. Its origin is the lower-left corner of a cell: where that cell lies in the world,
+/// the body lies as it lay in the ground.
 struct Body {
   Cell origin;                        ///< where it was: the lower-left cell of its box
   CellRect cells;                     ///< its box, in the world

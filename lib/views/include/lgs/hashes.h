@@ -61,12 +61,12 @@ class GroundHashes {
   void update(std::span<const CellChange> changes) noexcept;
 
   /// The same of the world's last commit, roll-back or redo, and looks whether one before it was missed: false, and
-  /// nothing changes, if `changes` do not lead from the version that was seen last; then begin again. Use one of the two
-  /// forms. (A commit that changed no segment has no version of its own, so that one was missed is not seen.)
+  /// nothing changes, if `changes` do not lead from the version that was seen last; then begin again. Use one of the
+  /// two forms. (A commit that changed no segment has no new version, so that one was missed is not seen.)
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 
-  /// From now on the hash of a chunk, by any cell of it in range, is this one: for who keeps hashes of ground that is not
-  /// in memory, or finds that it came back as something else. Cost: O(1).
+  /// From now on the hash of a chunk, by any cell of it in range, is this one: for code that keeps hashes of ground
+  /// that is not in memory, or finds that it came back as something else. Cost: O(1).
   void set(Cell chunk, std::uint64_t hash) noexcept;
 
   /// That of the whole world. Cost: O(1).

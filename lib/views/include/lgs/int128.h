@@ -1,5 +1,5 @@
 // Signed integers of 128 bits: areas of loops and bodies need them. They are plain values of two words, since not every
-// compiler has such a type of its own.
+// compiler has such a type.
 #pragma once
 
 #include <compare>

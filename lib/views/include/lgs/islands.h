@@ -1,6 +1,6 @@
-// Islands: pieces of ground that hang together. A view beside the world says, after each commit, which islands were cut
-// off, joined, came and went, and which of them are anchored; takes an island out of the ground as a body, and puts one
-// back.
+// Islands: pieces of ground that hang together. A view beside the world reports, after each commit, which islands were
+// cut off, joined, added and removed, and which of them are anchored; takes an island out of the ground as a body, and
+// puts one back.
 //
 //   const auto isBedrock = [](lgs::Block block, lgs::Cell) { return block == kBedrock; };
 //   if (!world.followCells(true)) …
@@ -9,17 +9,17 @@
 //   for (const lgs::IslandId id : islands.loose()) fall(lgs::take(world, islands, id));
 //
 // Solids that share at least a point are one island (law 3): two blocks that touch with a corner hang together. So an
-// island has exactly one outer loop, and a cut shows as one loop that became two, before any look at a cell
-// of the part. An island that lies in a hole of another one is an island by itself.
+// island has exactly one outer loop, and a cut shows as one loop that became two, before any look at a cell of the
+// part. An island that lies in a hole of another one is a separate island.
 //
-// The edge of memory: what lies in unloaded chunks (World::unload()), and whatever hangs together with it as their borders
-// show, is one island, kBeyond. Nobody knows what holds it, so it never falls; it is not among all() and has no facts.
-// When a chunk leaves, the islands there are told as joined with it; when it comes back they are told as cut off from
-// it, and loose() names those that nothing holds. So unload and reload are followed as edits are.
+// The edge of memory: what lies in unloaded chunks (World::unload()), and whatever hangs together with it as their
+// borders show, is one island, kBeyond. What holds it is not known, so it never falls; it is not among all() and has no
+// facts. When a chunk leaves, the islands there are reported as joined with it; when it comes back they are reported as
+// cut off from it, and loose() names those that nothing holds. So unload and reload are followed as edits are.
 //
-// The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
-// threads and memory holds here. Under a preserve relation commit before you unload; and chunks that are unloaded when
-// the view begins, or at a roll-back, count as solid, so that what touches their squares is beyond.
+// The view follows loops (loops.h) and has one inside: loops(). What loops.h has on preserve relations, copies, threads
+// and memory holds here. Under a preserve relation commit before you unload; and chunks that are unloaded when the view
+// begins, or at a roll-back, count as solid, so that what touches their squares is beyond.
 #pragma once
 
 #include <lgs/body.h>
@@ -46,7 +46,7 @@ inline constexpr IslandId kBeyond{UINT32_MAX};
 /// What is known of an island.
 struct IslandFacts {
   IslandId id;                ///< its name
-  LoopFacts outer;            ///< its outer loop. The area is with all holes, as they are loops of their own
+  LoopFacts outer;            ///< its outer loop. The area is with all holes, as they are separate loops
   std::uint64_t anchors = 0;  ///< how many of its polygons are anchors; 0: nothing holds it
   friend constexpr bool operator==(const IslandFacts&, const IslandFacts&) = default;
 };
@@ -63,31 +63,32 @@ struct IslandPair {
 };
 
 /// What an update did to the islands. It compares the moment before with the moment after. Islands of before and of now
-/// are *kin* if the solid of both moments together, one laid upon the other, connects them. Kin is what was one, is
-/// one, or hangs together by what was taken away or added.
+/// *correspond* if the solid of both moments together, one laid upon the other, connects them: what was one, is one, or
+/// hangs together by what was removed or added.
 ///
-/// Of each kin the island of now with the largest outer area gets the id of that of before with the largest; of equals
-/// it is the one whose `outer.west` is least, then the least LoopId. Each other island keeps its id if its outer loop
-/// keeps its own, and if that id is not taken. All others of now have new ids.
+/// Of islands that correspond the one of now with the largest outer area gets the id of that of before with the
+/// largest; of equals it is the one whose `outer.west` is least, then the least LoopId. Each other island keeps its id
+/// if its outer loop keeps its id, and if that of the island is not taken. All others of now have new ids.
 ///
-/// kBeyond is there before and after, and is larger than all others. Its kin is also what was or is in a chunk that was
-/// or is unloaded; and what was taken away and touched the square of such a chunk. (One that holds nothing may count or
-/// not; so may one that was forgotten, until ground comes there, and ground that is not there when its chunk comes back.)
+/// kBeyond is there before and after, and is larger than all others. To it corresponds also what was or is in a chunk
+/// that was or is unloaded; and what was removed and touched the square of such a chunk. (One that holds nothing may
+/// count or not; so may one that was forgotten, until ground is added there, and ground that is not there when its
+/// chunk comes back.)
 struct IslandChanges {
-  std::vector<IslandId> added;    ///< new ids of islands without kin before
-  std::vector<IslandId> removed;  ///< ids that are no more, of islands without kin now
+  std::vector<IslandId> added;    ///< new ids of islands to which none of before corresponds
+  std::vector<IslandId> removed;  ///< ids that are no more, of islands to which none of now corresponds
   std::vector<IslandId> changed;  ///< ids that stay, of islands with another outer loop or another count of anchors
   std::vector<IslandPair>
-      cutOff;  ///< `into` is a new id. `from` is the largest of its kin, which keeps an id; or kBeyond
-  std::vector<IslandPair> joined;   ///< `from` is an id that is no more. `into` is the largest of its kin; or kBeyond
+      cutOff;  ///< `into` is a new id. `from` is the largest that corresponds, which keeps an id; or kBeyond
+  std::vector<IslandPair> joined;   ///< `from` is no more. `into` is the largest that corresponds; or kBeyond
   std::vector<IslandFacts> before;  ///< what all islands were that changed, or that are no more; by id
 };
 
 /// The islands of a world. The comment at the top of this file has an example.
 class Islands {
  public:
-  /// Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view says may
-  /// be wrong, and nothing worse. Without `isAnchor` nothing is an anchor, and nothing is ever counted. Cost: in
+  /// Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view returns
+  /// may be wrong, and nothing worse. Without `isAnchor` nothing is an anchor, and nothing is ever counted. Cost: in
   /// proportion to the world.
   explicit Islands(const World& world, IsAnchor isAnchor = {}) noexcept;
   ~Islands() noexcept;
@@ -97,16 +98,16 @@ class Islands {
   Islands& operator=(Islands&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
-  /// that are not committed: after it went back to a mark that was made while edits were pending, begin again with
-  /// another view, after the next commit. To be called once for each commit and roll-back. False, and nothing changes,
-  /// where Loops::update() says so, and if the world does not follow its cells. If it has edits that are not committed,
-  /// what the view says of islands may be wrong from then on, and nothing worse.
+  /// that are not committed: after it rolled back to a mark that was made while edits were pending, begin again with
+  /// another view, after the next commit. To be called once for each commit and roll-back. Returns false, and nothing
+  /// changes, where Loops::update() does so, and if the world does not follow its cells. If it has edits that are not
+  /// committed, what the view returns of islands may be wrong from then on, and nothing worse.
   ///
   /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
   /// polygons were taken away, each with the vertices of these, if that may have cut something off. Of n islands that
-  /// came, went or changed it is O(n log n), whichever are kin. Where an island was cut, and there is `isAnchor`, all
-  /// parts but the largest are walked through. While chunks are unloaded so are all that are cut off from kBeyond; and,
-  /// at each update, those that run around an unloaded chunk.
+  /// were added, removed or changed it is O(n log n), whichever correspond. Where an island was cut, and there is
+  /// `isAnchor`, all parts but the largest are walked through. While chunks are unloaded so are all that are cut off
+  /// from kBeyond; and, at each update, those that run around an unloaded chunk.
   ///
   /// To know which island a hole, an anchor that changed, or one that joined is of, a ray passes the cells west of it,
   /// up to where it leaves the island; behind a hole it goes on. One update passes no hole twice, and rays of one
@@ -124,8 +125,8 @@ class Islands {
   std::optional<IslandFacts> island(IslandId id) const noexcept;
 
   /// The island that a polygon in a cell is of, as of the last update; null, if there is no such polygon. Of one that
-  /// was placed since it may be any, or null. Of one that is unloaded it is kBeyond. Cost: the cells passed to the next segment in the west, and so on, as in
-  /// update().
+  /// was placed since it may be any, or null. Of one that is unloaded it is kBeyond. Cost: the cells passed to the next
+  /// segment in the west, and so on, as in update().
   IslandId of(const World& world, PolygonHandle polygon) const noexcept;
 
   /// The island of an outer loop; null, if the id names a hole, or nothing.
@@ -167,11 +168,10 @@ struct Foreseen {
   std::vector<IslandFacts> after;  ///< the islands that `changes` names and that there would be then
 };
 
-/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but
+/// What an edit would do to the islands: makes it, commits, and rolls back. The world and the view are as before, but
 /// for the ids of loops and islands (see LoopId), and the redo is over, as after any edit; ids in the result name
-/// nothing. An edit that is refused, so that it
-/// returns false, would do nothing; nor would an empty function. No edit may be pending. Cost: that of the edit, of two
-/// updates and of going back.
+/// nothing. An edit that is refused, so that it returns false, would do nothing; nor would an empty function. No edit
+/// may be pending. Cost: that of the edit, of two updates and of a roll-back.
 [[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
 
 }  // namespace lgs

@@ -3,19 +3,19 @@
 //
 //   lgs::Loops loops(world);                            // walks all segments once
 //   loops.update(world, world.commit());                // and from now on, after each commit
-//   for (const lgs::LoopPair& p : loops.changes().split) …   // a part of p.from is a loop of its own now: p.into
+//   for (const lgs::LoopPair& p : loops.changes().split) …   // a part of p.from is a new loop: p.into
 //   if (world.rollBack(mark)) loops.update(world, world.changesOfRollBack());
 //
 // A loop with positive area runs around solid ground; it is the outline of an island (islands.h). One with negative
-// area runs around a hole. The segments of a loop follow each other as law 2 says.
+// area runs around a hole. The segments of a loop follow each other by law 2.
 //
 // Under a preserve relation the loops of a world may be open. The view then follows the outline that the world would
-// have without the relation. It keeps that in a second world of its own, outline(), which takes as much memory again,
-// and each commit is made there as well. Such a world must follow its cells: World::followCells(true).
+// have without the relation. It keeps that in a second world, outline(), which takes as much memory again, and each
+// commit is made there as well. Such a world must follow its cells: World::followCells(true).
 //
 // A chain that leads into an unloaded chunk (World::unload()) is no loop as long as it does.
 //
-// Every function is noexcept: when memory runs out the program ends. A copy of a world goes on with a copy of its view.
+// Every function is noexcept: when memory runs out the program ends. A copy of a world works with a copy of its view.
 // Calls that are const are safe beside each other.
 #pragma once
 

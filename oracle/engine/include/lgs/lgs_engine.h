@@ -2,7 +2,7 @@
  * instead of lines. C99 and C++.
  *
  * The shared object exports one function, lgs_engine(), which returns a table of functions. A world's edits go in; at a
- * commit the engine tells which edits it refused, and puts out the whole outline, or what changed.
+ * commit the engine reports which edits it refused, and puts out the whole outline, or what changed.
  *
  * Rules. The harness calls from one thread. What it passes belongs to it, and is valid during the call; what the engine
  * passes to an answer is read during that call. No exception may leave a function. Coordinates are lattice units,

@@ -1,4 +1,4 @@
-// What the adapters for Box2D share. It knows no Box2D. An EdgeSet says which edges a physics engine is to get for the
+// What the adapters for Box2D share. It knows no Box2D. An EdgeSet has which edges a physics engine is to get for the
 // segments of a World, in which chunk and with which ghosts; and after a commit, what is to change about them.
 //
 // The edges are a function of the world's segments and of the options. The edits that led there play no part.
@@ -17,8 +17,8 @@
 //
 // An edge belongs to the chunk of its first segment's cell. It ends in that chunk, too, unless it is welded.
 //
-// No function fails. Every function is noexcept: when memory runs out, or EdgeOptions::material throws, the program ends.
-// Functions of edges and segments cost O(1), unless it is said otherwise.
+// No function fails. Every function is noexcept: when memory runs out, or EdgeOptions::material throws, the program
+// ends. Functions of edges and segments cost O(1), unless it is said otherwise.
 #pragma once
 
 #include <lgs/box2d/frame.h>
@@ -87,7 +87,7 @@ struct EdgeChanges {
 struct EdgeCounts {
   std::size_t edges = 0;     ///< live ones
   std::size_t segments = 0;  ///< of the world: the sum of the next four
-  std::size_t single = 0;    ///< segments that are an edge by themselves
+  std::size_t single = 0;    ///< segments that are one edge each
   std::size_t merged = 0;    ///< segments in strips of several that are an edge
   std::size_t welded = 0;    ///< segments in welded edges
   std::size_t leftOut = 0;   ///< segments in no edge

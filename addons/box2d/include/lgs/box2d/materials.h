@@ -14,9 +14,9 @@
 
 namespace lgs::box2d {
 
-/// What a sync does with bodies that new ground would hold (law 13). They are dynamic bodies whose centre was free.
+/// What a sync does with bodies that new ground would overlap (law 13): dynamic bodies whose centre was free.
 enum class OnOverlap : std::uint8_t {
-  push,  ///< pushes them out, the shortest way that crosses no edge of the old outline; disables a body without such a way
+  push,     ///< pushes them out, along a shortest path that crosses no edge of the old outline; or disables them
   disable,  ///< disables them until they are free where they are, or until they can be pushed
   leave,    ///< leaves them: they fall through the ground
 };
@@ -37,10 +37,10 @@ struct BasicTerrainOptions {
 template <class Material>
 class Materials {
  public:
-  /// `of` says what a block is like, and is called once for each. If it is empty, all are like the default.
+  /// `of` returns what a block is like, and is called once for each. If it is empty, all are like the default.
   explicit Materials(std::function<Material(Block)> of) : of_(std::move(of)) {}
 
-  /// The number of a block's material. Asks for the material when it first meets the block.
+  /// The number of a block's material. Calls the game's function when it first meets the block.
   std::uint32_t number(Block block) {
     const auto [entry, isNew] = numbers_.try_emplace(block);
     if (isNew) {

@@ -1,4 +1,4 @@
-/* Shapes, edits, commits and going back. Edits change the polygons at once, and the segments with the next commit.
+/* Shapes, edits, commits, roll-back and redo. Edits change the polygons at once, and the segments with the next commit.
  * lgs/lgs.h has the rules. */
 #ifndef LGS_C_EDIT_H
 #define LGS_C_EDIT_H
@@ -122,7 +122,7 @@ LGS_API lgs_status lgs_clear(lgs_world* world, lgs_cell_rect cells, uint64_t* re
 
 /* A group of edits, which happens as a whole or not at all. lgs_undo() takes back the edits since lgs_begin(), as if
  * they had not been made, and lgs_keep() lets them be; each ends the group and frees it. A commit keeps what was edited
- * before it, and what follows is not undone. A world that went back to a mark older than the group has undone it. Of
+ * before it, and what follows is not undone. A world that rolled back to a mark older than the group has undone it. Of
  * groups within groups the inner one ends first. The world must live until then. NULL is no error. */
 typedef struct lgs_group lgs_group;
 /* Begins a group, ends it and keeps its edits, ends it and takes them back: see lgs_group. */
@@ -169,32 +169,31 @@ typedef void (*lgs_executor_fn)(void* user, size_t count, lgs_job_fn run, void* 
 LGS_API lgs_status lgs_commit_with(lgs_world* world, lgs_executor_fn executor, void* user,
                                    lgs_changes* changes) LGS_NOTHROW;
 
-/* --- Going back -------------------------------------------------------------------------------------------------- */
+/* --- Marks, roll-back, redo -------------------------------------------------------------------------------------- */
 
 /* Notes this moment. Edits may be pending. A mark is for this world and its later copies; no other world of this
- * process ever makes the same one. Its number says nothing else, and is another one in another run. While there are
- * marks an edit costs some more, and memory grows with the edits and commits since the oldest one. Cost: O(1). */
+ * process ever makes the same one. Its number means nothing else, and differs from run to run. While there are marks an
+ * edit costs some more, and memory grows with the edits and commits since the oldest one. Cost: O(1). */
 LGS_API lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) LGS_NOTHROW;
 
-/* Goes back to a mark: every later output, id and list is as if the edits and commits after it had not been made. So
+/* Rolls back to a mark: every later output, id and list is as if the edits and commits after it had not been made. So
  * ids that were given out after it name nothing until they are given out again. What a shape that was made after it
- * holds stays in memory. The mark stays, so that the world can go back to it again; later ones are void. `changes`
- * receives what this did to the segments: the lists of a commit, by id, but an id that named one segment and names
- * another one now is removed, and then added. Refused: LGS_UNKNOWN_MARK. Cost: in proportion to the edits since the
- * mark. */
+ * holds stays in memory. The mark stays, so that the world can roll back to it again; later ones are invalidated.
+ * `changes` receives what this did to the segments: the lists of a commit, by id, but an id that named one segment and
+ * names another one now is removed, and then added. Refused: LGS_UNKNOWN_MARK. Cost: in proportion to the edits since
+ * the mark. */
 LGS_API lgs_status lgs_roll_back(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) LGS_NOTHROW;
 
 /* The same, and what it undoes is kept: the later marks are ahead, and lgs_roll_forward() leads there. It takes memory
- * until the world goes back further without keeping, goes back with keeping after an edit or another mark, or has no
+ * until the world rolls back further without keeping, rolls back with keeping after an edit or another mark, or has no
  * mark left from before. */
 LGS_API lgs_status lgs_roll_back_keeping(lgs_world* world, lgs_mark mark, lgs_changes* changes,
                                          lgs_error* error) LGS_NOTHROW;
 
-/* Goes forward to a mark that is ahead, as if the world had not gone back beyond it: the edits and commits up to it
- * come back with their polygon, shape and segment ids. Marks made since it went back are void; those further ahead
+/* Redoes up to a mark that is ahead, as if the world had not rolled back beyond it: the edits and commits up to it come
+ * back with their polygon, shape and segment ids. Marks made since the roll-back are invalidated; those further ahead
  * stay ahead. `changes` is as for lgs_roll_back(). Refused: LGS_UNKNOWN_MARK, if the mark is not ahead, or if something
- * was edited, or a shape made, since the world went back or forward, and that was not undone. Cost: as of
- * lgs_roll_back(). */
+ * was edited, or a shape made, since the roll-back or redo, and that was not undone. Cost: as of lgs_roll_back(). */
 LGS_API lgs_status lgs_roll_forward(lgs_world* world, lgs_mark mark, lgs_changes* changes,
                                     lgs_error* error) LGS_NOTHROW;
 
@@ -205,12 +204,12 @@ LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error)
 
 /* Lets go of a place that the game has left. Each chunk of 32x32 cells that lies in the rectangle as a whole and holds
  * no polygon gives its memory back, and so does each unloaded one that had no loaded chunk around it at the last
- * commit, unless the world went back or forward over edits of it since it left; other chunks stay. `forgotten` receives how many chunks went. An empty rectangle is no error. All
- * polygon ids that were ever given out for cells of these chunks are void: they name nothing until they are given out
- * again, maybe for another place. Segments, shapes and all other ids are not touched. Refused: LGS_CELL_OUT_OF_RANGE,
- * with a corner of the rectangle that is out of range; LGS_UNCOMMITTED, while edits are not committed or there are
- * marks. Cost: in proportion to the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the
- * world, whichever are fewer. */
+ * commit, unless a roll-back or redo changed it since it was unloaded; other chunks stay. `forgotten` receives how many
+ * were forgotten. An empty rectangle is no error. All polygon ids that were ever given out for cells of these chunks
+ * are invalidated: they name nothing until they are given out again, maybe for another place. Segments, shapes and all
+ * other ids are not touched. Refused: LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range;
+ * LGS_UNCOMMITTED, while edits are not committed or there are marks. Cost: in proportion to the cells of the chunks in
+ * the rectangle, and to the chunks in the rectangle or in the world, whichever are fewer. */
 LGS_API lgs_status lgs_forget_chunks(lgs_world* world, lgs_cell_rect cells, uint64_t* forgotten,
                                      lgs_error* error) LGS_NOTHROW;
 
@@ -219,11 +218,11 @@ typedef void (*lgs_chunk_fn)(void* user, lgs_cell corner, const uint8_t* bytes, 
 
 /* Chunks of 32x32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `take` gets
  * the bytes of each; it may be NULL. `unloaded` receives how many chunks these are. The next commit reports which
- * segments went. What is loaded shows the segments and ghosts that it has in the whole world: no wall appears where it
- * ends. In an unloaded chunk every edit is refused as LGS_UNLOADED, and so are ids of its polygons and segments;
- * questions that would have to look there say so; lists and counts leave it out. Marks go back across it. Refused:
- * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range. Cost: in proportion to the cells of these
- * chunks. */
+ * segments were removed. What is loaded shows the segments and ghosts that it has in the whole world: no wall appears
+ * where it ends. In an unloaded chunk every edit is refused as LGS_UNLOADED, and so are ids of its polygons and
+ * segments; questions that would have to look there return that; lists and counts leave it out. Marks stay good.
+ * Refused: LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range. Cost: in proportion to the cells
+ * of these chunks. */
 LGS_API lgs_status lgs_unload(lgs_world* world, lgs_cell_rect cells, lgs_chunk_fn take, void* user, uint64_t* unloaded,
                               lgs_error* error) LGS_NOTHROW;
 

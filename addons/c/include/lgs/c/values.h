@@ -69,7 +69,7 @@ enum {
   LGS_UNKNOWN_SHAPE = 12,    /* a shape that this world did not make */
   LGS_STALE_HANDLE = 13,     /* a polygon that is null, unknown or removed */
   LGS_UNKNOWN_SEGMENT = 14,  /* an id that names no live segment */
-  LGS_UNKNOWN_MARK = 15,     /* a mark that this world did not make, or forgot, or went back beyond */
+  LGS_UNKNOWN_MARK = 15,     /* a mark that this world did not make, or forgot, or rolled back beyond */
   LGS_UNCOMMITTED = 16,      /* edits are not committed, or there are marks */
   LGS_OUT_OF_REACH = 17,     /* a point, a radius or a ray of a question goes too far */
   LGS_UNLOADED = 18,         /* ground that is not in memory: see lgs_unload() */
@@ -104,7 +104,7 @@ typedef struct lgs_shape_id {
 } lgs_shape_id;
 
 /* One placed polygon. Once it is removed its id is stale: that is an error, and never another polygon, unless the world
- * goes back to a time before that polygon was. The fields mean something to the world only. */
+ * rolls back to a time before that polygon was. The fields mean something to the world only. */
 typedef struct lgs_polygon_id {
   uint32_t cell_ref; /* 0 in a null id */
   uint32_t serial;   /* not for you */
@@ -116,7 +116,7 @@ typedef struct lgs_segment_id {
   uint32_t value; /* good as an index */
 } lgs_segment_id;
 
-/* A moment to which a world can go back. */
+/* A moment to which a world can roll back. */
 typedef struct lgs_mark {
   uint64_t value; /* for the world that made it */
 } lgs_mark;

@@ -94,7 +94,7 @@ enum class Outside : std::uint8_t {
 /// Where a polygon's block comes from.
 enum class BlockFrom : std::uint8_t {
   one,        ///< every polygon gets block 1; but in an LDtk project a cell gets its value, and each kind of entity a
-              ///< block of its own, as with tileClass, whose names are those of values and entities
+              ///< separate block, as with tileClass, whose names are those of values and entities
   tileClass,  ///< the class of the collision object ("type" before Tiled 1.9); if it has none, that of its tile or, in
               ///< an object layer, of its layer
   name,       ///< the name of the collision object; if it has none, as tileClass
@@ -118,9 +118,9 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
 /// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
 /// evidence that there is in it: 1. shapes of tiles, and layers, classes and properties that say collision, all
 /// together; 2. those that say ground or wall; 3. the only tile layer, if it is half empty. What is deadly or passable
-/// is left out. docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. The next
-/// best choice is tried as well, so that takes twice as long. `layers` narrows where that is looked for. With any of
-/// the four nothing is chosen: they hold, and so do the shapes of tiles.
+/// is left out. docs/maps.md, "What is taken without options", has the words. Report::choice says what was taken. The
+/// next best choice is tried as well, so that takes twice as long. `layers` narrows where that is looked for. With any
+/// of the four nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
   double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   Outside outside = Outside::carry;  ///< what happens to what reaches out of its cell

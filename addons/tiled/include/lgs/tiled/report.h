@@ -94,7 +94,7 @@ struct Report {
   int height = 0;                   ///< of the map, tiles
   int tileWidth = 0;                ///< of the grid, in pixels
   int tileHeight = 0;               ///< of the grid, in pixels
-  bool infinite = false;            ///< whether the map has no size of its own
+  bool infinite = false;            ///< whether the map has no size
   double tolerance = 0;             ///< pixels, as used
   std::uint64_t cells = 0;          ///< that hold a polygon
   std::uint64_t polygons = 0;       ///< placements
@@ -105,8 +105,8 @@ struct Report {
   std::vector<std::string> notes;   ///< about the map as a whole
 
   /// Of a map that decides what is solid, as no options do.
-  std::string choice;   ///< what was taken and why, with the arguments that say so; empty if nothing was
-  std::string partial;  ///< what says that it is solid and was not taken, or is missing, or was asked for and is
+  std::string choice;   ///< what was taken and why, with the arguments for it; empty if nothing was
+  std::string partial;  ///< what says that it is solid and was not taken, or is missing, or was requested and is
                         ///< not there; empty if all was taken
   std::string also;     ///< what else could be solid: weaker evidence than what was taken
   std::string leftOut;  ///< what was left out as it is deadly or passable: classes, names, layers, with their number

@@ -54,7 +54,7 @@ struct GroundRayHit {
 struct Overlap {
   BodyHandle body{};          ///< the body
   float depth = 0;            ///< metres: how deep the ground reaches into it, at most to the centre
-  bool isFree = false;        ///< whether there is a way out
+  bool isFree = false;        ///< whether there is a path out
   b2Vec2 displacement{0, 0};  ///< along it: a straight move without a turn
 };
 
@@ -79,25 +79,25 @@ class TerrainBase {
   /// there.
   tl::expected<void, SyncError> sync(const Changes& changes) noexcept;
 
-  /// The same, with another answer to what happens to bodies in new ground.
+  /// The same, with another `onOverlap`.
   tl::expected<void, SyncError> sync(const Changes& changes, OnOverlap onOverlap) noexcept;
 
-  /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
-  /// roll back, or leave the rest to sync(). A body overlaps it if its centre was free and is in the solid, or if a new
-  /// edge reaches deeper than half way to its centre. Of a body of several shapes each has a centre: the one by which
-  /// Box2D decides on which side of an edge it is. A centre is free if latticePoint() of it is in no polygon and on no
-  /// edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D sees it. Sensors,
-  /// bodies that are not dynamic or not enabled, and shapes whose filter lets them through the block do not count.
-  /// Nothing, if sync() would refuse the changes. Cost: the number of changes, for each body near one of them; and up
-  /// to some milliseconds for one that has no way out.
+  /// The bodies that these changes would overlap. To be called after a commit or roll-back and before its sync(): so
+  /// the game can roll back, or leave the rest to sync(). A body overlaps it if its centre was free and is in the
+  /// solid, or if a new edge reaches deeper than half way to its centre. Of a body of several shapes each has a centre:
+  /// the one by which Box2D decides on which side of an edge it is. A centre is free if latticePoint() of it is in no
+  /// polygon and on no edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D
+  /// sees it. Sensors, bodies that are not dynamic or not enabled, and shapes whose filter lets them through the block
+  /// do not count. Nothing, if sync() would refuse the changes. Cost: the number of changes, for each body near one of
+  /// them; and up to some milliseconds for one that has no path out.
   std::vector<Overlap> overlapsWith(const Changes& changes) noexcept;
 
-  /// Those that the last sync or resync pushed or disabled. A pushed body was moved along the way out and woken, and has
-  /// no velocity against it any more. None if they are left.
+  /// Those that the last sync or resync pushed or disabled. A pushed body was moved by its displacement and woken, and
+  /// has no velocity against it any more. None if they are left.
   const std::vector<Overlap>& overlaps() const noexcept { return overlaps_; }
 
-  /// The bodies that are disabled where they overlapped, at rest. A later sync nearby enables them if they are
-  /// free there, or pushes them out if their centres are. A game that destroys or enables one itself may do so.
+  /// The bodies that are disabled where they overlapped, at rest. A later sync nearby enables them if they are free
+  /// there, or pushes them out if their centres are. The game may destroy or enable one.
   std::vector<BodyHandle> disabled() const noexcept { return disabled_; }
 
   /// Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game
@@ -125,14 +125,14 @@ class TerrainBase {
   /// somewhat larger.
   std::vector<std::vector<Point>> outlinesOf(ConstBodyHandle body) noexcept;
 
-  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
-  /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
-  /// meanwhile: bodies in the ground are pushed or disabled, however they came there; and one that is disabled and free is
-  /// enabled. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments), and for each
-  /// body near a change the changes that are connected with it.
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
+  /// were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved meanwhile: bodies
+  /// in the ground are pushed or disabled, however they came there; and one that is disabled and free is enabled.
+  /// Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments), and for each body near a
+  /// change the changes that are connected with it.
   void resync() noexcept;
 
-  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
+  /// Calls TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
   /// does. The shapes of blocks that are another material now are made again, so what rests there wakes up. No body is
   /// pushed out of a block that was passable and is solid now. Cost: O(segments).
   void materialsChanged() noexcept;
@@ -160,10 +160,10 @@ class TerrainBase {
   std::optional<GroundRayHit> rayCast(const Position& from, const Position& to) const noexcept;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. overlapsWith() says which of them new ground would hold. Bodies that just rest beside the cells are
-  /// not found: in Box2D 3 the rectangle counts as smaller by the slop, half a centimetre, on each side. In 2.4 bodies
-  /// that are less than 1 cm (b2_polygonRadius) away are found, because the skin of a polygon counts. Cost: the shapes
-  /// near the cells.
+  /// are not looked at. overlapsWith() returns which of them new ground would overlap. Bodies that just rest beside the
+  /// cells are not found: in Box2D 3 the rectangle counts as smaller by the slop, half a centimetre, on each side. In
+  /// 2.4 bodies that are less than 1 cm (b2_polygonRadius) away are found, because the skin of a polygon counts. Cost:
+  /// the shapes near the cells.
   template <std::same_as<CellRect> Rect = CellRect>  // so that bodiesIn({3, 4}) is of a cell
   std::vector<BodyHandle> bodiesIn(const Rect& cells) const noexcept {
     return bodiesInRect(cells);

@@ -20,9 +20,9 @@
 
 namespace lgs::box2d {
 
-/// Shows the last changes of a world, as sync() does. But a body that they catch stays where it is: its outline is
+/// Shows the last changes of a world, as sync() does. But a body that they overlap stays where it is: its outline is
 /// carved out of the ground, and that is committed and shown as well. If a brush is refused somewhere, because a cell
-/// is full to its limits, the terrain does with bodies what its options say. Errors as of sync().
+/// is full to its limits, the terrain treats bodies by its options. Errors as of sync().
 inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, const Changes& changes) noexcept {
   bool isCut = true;
   for (const Overlap& overlap : terrain.overlapsWith(changes)) {

@@ -42,10 +42,10 @@ struct FallingOptions {
 struct Falling {
   BodyHandle body{};    ///< null: every part is thinner than Box2D's slop, and there is nothing to see
   Body ground;          ///< what it is made of
-  PolygonHandle was{};  ///< a polygon that it was in the ground; null, if it came in another way
+  PolygonHandle was{};  ///< a polygon that it was in the ground; null, if it was no island
 };
 
-/// What going back or forward did to bodies.
+/// What a roll-back or redo did to bodies.
 struct RolledBack {
   std::vector<Falling> gone;  ///< are ground again; their bodies are destroyed
   std::vector<Falling> made;  ///< fall again

@@ -3,7 +3,7 @@
 //
 //   lgs::box2d::Ground ground({.isAnchor = isBedrock}, physics, lgs::box2d::TerrainOptions{.cellSize = 0.5},
 //                             lgs::box2d::FallingOptions{.density = density});
-//   ground.host().terrain()   // to ask what was hit, and the like; it is synced already
+//   ground.host().terrain()   // for questions such as what was hit; it is synced already
 #pragma once
 
 #include <lgs/box2d/falling.h>
@@ -16,7 +16,7 @@
 
 namespace lgs::box2d {
 
-/// What a Ground asks of Box2D: a terrain, and bodies of what falls.
+/// What a Ground needs of Box2D: a terrain, and bodies of what falls.
 class GroundHost {
  public:
   using Handle = BodyHandle;  ///< the body of a rock
@@ -32,7 +32,7 @@ class GroundHost {
   /// Bodies outside of the window: disabled until it is there again.
   const std::vector<BodyHandle>& away() const { return away_; }
 
-  // What a Ground asks: see NoPhysics.
+  // What a Ground needs: see NoPhysics.
 
   /// Whether both are one body.
   static bool isSame(BodyHandle a, BodyHandle b) { return a == b; }
