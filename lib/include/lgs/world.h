@@ -17,6 +17,8 @@
 #include <lgs/error.h>
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
+#include <lgs/limits.h>
+#include <lgs/placed.h>
 #include <lgs/questions.h>
 #include <lgs/segment.h>
 #include <lgs/snapshot.h>
@@ -34,37 +36,6 @@
 
 namespace lgs {
 
-/// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
-/// contents of cells, and 2^28 - 1 polygons ever placed in one cell. The program ends, as when memory runs out, where a
-/// commit needs more than 8 GiB for the lists of segments that cells show, or more than 2^31 - 4,097 segments; and
-/// where an edit needs more than 8 GiB for the lists of polygons of cells that hold several.
-///
-/// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its
-/// files. Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23
-/// - 1 polygons ever placed.
-inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
-inline constexpr std::size_t kMaxPolygonsPerCell = 254;    ///< in one cell
-#ifdef LGS_HANDLES_IN_53_BITS
-inline constexpr std::size_t kMaxChunks =
-    (std::size_t{1} << 20) - 1;  ///< of 32×32 cells, ever touched by an edit, and not forgotten
-#else
-inline constexpr std::size_t kMaxChunks =
-    (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit, and not forgotten
-#endif
-inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that takes many
-
-#ifdef LGS_HANDLES_IN_53_BITS
-/// Its name is how wide handles are.
-enum class HandlesIn53Bits : bool {};
-using Handles = HandlesIn53Bits;
-#else
-/// Its name is how wide handles are.
-enum class HandlesIn60Bits : bool {};
-/// Which handles a file was compiled for. It is a parameter of World's constructor that is never given: where a program
-/// and its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
-using Handles = HandlesIn60Bits;
-#endif
-
 /// Whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). The smaller block
 /// always comes first, so any function gives a symmetric relation. It must give the same answer every time, throw
 /// nothing and not call back into the world. If it is empty, everything is cancelled.
@@ -81,35 +52,6 @@ using PreserveRelation = std::function<bool(Block, Block)>;
 ///     work();
 ///   };
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
-
-/// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world: copy them first if you
-/// remove a polygon to put it back later.
-struct PlacedPolygon {
-  PolygonHandle handle;                  ///< its name
-  Block block = 0;                       ///< the number that it was given
-  std::span<const LocalPoint> vertices;  ///< counter-clockwise, in its cell
-};
-
-/// A shape and where it shall be: for World::addMany().
-struct Placement {
-  Cell cell;        ///< where
-  ShapeId shape;    ///< what
-  Block block = 0;  ///< the number that all its polygons get
-};
-
-/// A polygon that shall be placed, by its vertices: for World::exchange().
-struct NewPolygon {
-  std::span<const LocalPoint> vertices;  ///< counter-clockwise, in its cell
-  Block block = 0;                       ///< the number that it gets
-};
-
-/// A cell that a commit or a roll-back changed, and what it held: for World::cellChanges(). The polygons are by handle.
-/// The handles in `before` name nothing any more, if their polygons are gone.
-struct CellChange {
-  Cell cell;                              ///< where
-  std::span<const PlacedPolygon> before;  ///< as of the commit or roll-back before
-  std::span<const PlacedPolygon> now;     ///< as of this one
-};
 
 /// Whether World::rollBack() keeps what it undoes, so that World::rollForward() can bring it back.
 enum class Undone : std::uint8_t { drop, keep };
