@@ -15,7 +15,7 @@ mkdir -p "$out"
   echo 'lgs::box2d::Terrain; lgs::writeSvg(). docs/contract.md has the words and the laws that all of it goes by.'
   echo
   sed -n '3,/^## How fast/p' README.md | sed '/^## How fast/d' |
-    sed -E 's/(^|[^!])\[([^]]*)\]\([^)#]*\.(md|h)(#[^)]*)?\)/\1\2/g; s/\]\(docs\//](/g'
+    sed -E 's/(^|[^!])\[([^]]*)\]\([^)#]*\.(md|h|cpp)(#[^)]*)?\)/\1\2/g; s/\]\(docs\//](/g'
 } >"$out/main.md"
 
 {

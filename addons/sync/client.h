@@ -1,9 +1,9 @@
 // The end of a line that follows. Each of its cells holds what the server's held at some turn, and never goes back to
-// an earlier one: what is older than anything that was heard is left out. So whatever was lost, or came twice or late,
-// both ends are equal once the server's last turn got through.
+// an earlier one: what is older than anything received is left out. So whatever was lost, or came twice or late, both
+// ends are equal once the server's last turn got through.
 //
 // Edits that follow each other are made as they come. Where the hashes of both worlds differ then, for whatever reason,
-// the client asks for the hashes of the squares inside the one that differs, and so on, down to chunks that it has
+// the client requests the hashes of the squares inside the one that differs, and so on, down to chunks that it has
 // nothing of, or to leaves: only these are sent. A client that begins with nothing comes to all ground in the same way.
 #pragma once
 
@@ -19,17 +19,17 @@ class Client {
   /// Of a world that follows its cells and has no edits that are not committed. It must outlive this.
   explicit Client(lgs::World& world);
 
-  /// A message came. Returns what to ask the server. No edit of the world may be pending.
+  /// To be called with each message. Returns what to send to the server. No edit of the world may be pending.
   std::vector<Bytes> hear(std::span<const std::byte> message);
 
-  /// To be called now and then, more seldom than an answer takes: if both ends differed when something was last heard,
-  /// what to ask, once more if there was no answer, as that may have been lost.
+  /// To be called now and then, more seldom than an answer takes: returns what to send, if both ends differed at the
+  /// last message; once more if there was no answer, as that may have been lost.
   std::vector<Bytes> tick();
 
-  /// To be called after somebody else has committed in the world, say a guess. The server's word will take its place.
+  /// To be called after the game has committed in the world, say a guess. The server's version will replace it.
   void update() { hashes_.update(world_.cellChanges()); }
 
-  /// Whether the worlds were equal, as of the last that was heard.
+  /// Whether the worlds were equal, as of the last message.
   bool isInStep() const { return turn_ != 0 && theirHash_ == hashes_.hash(); }
 
  private:
@@ -39,10 +39,10 @@ class Client {
 
   lgs::World& world_;
   lgs::GroundHashes hashes_;
-  std::uint64_t turn_ = 0;  ///< the latest that was heard of; 0: none
+  std::uint64_t turn_ = 0;  ///< the latest that was received; 0: none
   std::uint64_t theirHash_ = 0;
   Square theirWhole_;
-  std::set<Question> open_;  ///< what was asked, and not answered yet
+  std::set<Question> open_;  ///< what was sent, and not answered yet
 };
 
 }  // namespace in_step

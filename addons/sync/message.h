@@ -1,4 +1,4 @@
-// What the two ends of a line tell each other. Any message may be lost, come twice, or come late.
+// What the two ends of a line send to each other. Any message may be lost, come twice, or come late.
 #pragma once
 
 #include "ground.h"

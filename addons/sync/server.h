@@ -1,8 +1,8 @@
-// The end of a line that has the world. It knows nothing of its clients: it tells all of them what each commit changed,
-// and answers whoever asks. How messages travel is up to others.
+// The end of a line that has the world. It knows nothing of its clients: it reports to all of them what each commit
+// changed, and answers each question. How messages travel is up to others.
 //
-// Chunks of the world may be unloaded: they are not gone. Their hashes are kept, no client is told that they are empty,
-// and questions about what is in them are answered once they are back. Commit before you unload.
+// Chunks of the world may be unloaded: they are not gone. Their hashes are kept, no client takes them for empty, and
+// questions about what is in them are answered once they are back. Commit before you unload.
 #pragma once
 
 #include "message.h"
@@ -21,15 +21,16 @@ class Server {
   /// The same of one that may have unloaded chunks, with the hashes of all its ground, whether loaded or not.
   Server(const lgs::World& world, lgs::GroundHashes hashes);
 
-  /// To be called after each commit, roll-back and roll-forward: says what to tell all clients. What changed more than
-  /// kMaxCells cells is told without them: clients find out.
+  /// To be called after each commit, roll-back and roll-forward: returns what to send to all clients. What changed more
+  /// than kMaxCells cells is reported without them: clients find out.
   Bytes update();
 
-  /// To be sent to all clients now and then: so one that lost the last message hears of it.
+  /// To be sent to all clients now and then: so one that lost the last message learns of it.
   Bytes signOfLife() const;
 
-  /// What to send to who asked; nothing, if it is no question, or one about cells that are unloaded. Best while no edit is pending: one that is will be told,
-  /// though it may come to nothing yet. Cost: that of the chunk asked for; or O(1).
+  /// What to send back; nothing, if it is no question, or one about cells that are unloaded. Best while no edit is
+  /// pending: one that is will be reported, though it may come to nothing yet. Cost: that of the chunk in question; or
+  /// O(1).
   std::optional<Bytes> answer(std::span<const std::byte> question) const;
 
  private:

@@ -120,7 +120,7 @@ class World {
 
   /// Places many shapes, each as add() would, one after the other: all of them or none. `handles` receives what add()
   /// would return for each, or as many as it has room for; null handles, if an entry is refused. Refused as by add(),
-  /// and Error::index says for which one; if it overlaps an earlier one, index2 says which. Refused without an index:
+  /// and Error::index names which one; if it overlaps an earlier one, index2 names which. Refused without an index:
   /// capacity, if there are more than kMaxEntries. Cost: as of single edits; or as of those while there is a mark, if a
   /// cell is not empty or a shape has several polygons.
   [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements,
@@ -130,9 +130,9 @@ class World {
   /// many.
   [[nodiscard]] Expected<void> remove(PolygonHandle polygon) noexcept;
 
-  /// Removes many polygons: all of them or none. Refused as by remove(), and Error::index says for which one; so for a
-  /// handle that comes twice, and index2 says where it came first. Refused without an index: capacity, if there are
-  /// more than kMaxEntries. Cost: as of addMany().
+  /// Removes many polygons: all of them or none. Refused as by remove(), and Error::index names which one; so for a
+  /// handle that comes twice, and index2 is where it was first. Refused without an index: capacity, if there are more
+  /// than kMaxEntries. Cost: as of addMany().
   [[nodiscard]] Expected<void> removeMany(std::span<const PolygonHandle> polygons) noexcept;
 
   /// Puts a shape in the place of all polygons of a cell, which may be empty: both happen, or neither. Returns the
@@ -143,7 +143,7 @@ class World {
   /// Takes some polygons of a cell away and places others: all of it, or nothing. The others of the cell stay.
   /// `handles` receives the handles of `added`, or as many as it has room for. Only what stands in the cell at the end
   /// must fit: nothing is worked out for the steps on the way. Refused: cellOutOfRange; unloaded; staleHandle, for a
-  /// handle that is not of this cell or comes twice, and Error::index says which; as by shape(), and by add() for what
+  /// handle that is not of this cell or comes twice, and Error::index names which; as by shape(), and by add() for what
   /// stays. Cost: as of one add().
   [[nodiscard]] Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed,
                                         std::span<const NewPolygon> added,
@@ -369,10 +369,10 @@ class World {
   /// unloaded.
   Expected<Segment> segment(SegmentId id) const noexcept;
 
-  /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from
-  /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment or
-  /// unloaded, where Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin
-  /// is out of range; capacity, if these are more than kMaxEntries.
+  /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from an
+  /// origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment or unloaded,
+  /// where Error::index names which one, and what comes before it is in `out`; outOfReach, if the origin is out of
+  /// range; capacity, if these are more than kMaxEntries.
   Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const noexcept;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const noexcept;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const noexcept;

@@ -21,7 +21,7 @@
  *   unless the text says so. A NULL that must not be is refused as LGS_BAD_ARGUMENT, and so is a number that is none of
  *   the constants for it. Functions that return no status take a NULL world for an empty one.
  *   Not checked: that a pointer leads to as much memory as it should, and that a world, a group or a list of loops was
- *   not freed. A refused call leaves its outputs as they were, if the text does not say otherwise.
+ *   not freed. A refused call leaves its outputs as they were, unless noted otherwise.
  * - Errors. If the last argument is a lgs_error*, it may be NULL. It is written only if the result is not LGS_OK.
  *   lgs_message() makes a sentence of it.
  * - Buffers. Where the text says "as a list", the function writes at most `capacity` elements and returns in *count how

@@ -87,9 +87,9 @@ typedef int32_t (*lgs_anchor_fn)(void* user, lgs_block block, lgs_cell cell);
 /* The loops and islands of a world. */
 typedef struct lgs_islands lgs_islands;
 
-/* Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view says may be
- * wrong, and nothing worse. `is_anchor` may be NULL: then nothing is an anchor; else it is kept, with its `user`, for
- * as long as the view and its copies live. Cost: in proportion to the world. */
+/* Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view returns may
+ * be wrong, and nothing worse. `is_anchor` may be NULL: then nothing is an anchor; else it is kept, with its `user`,
+ * for as long as the view and its copies live. Cost: in proportion to the world. */
 LGS_API lgs_status lgs_islands_new(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
                                    lgs_islands** islands) LGS_NOTHROW;
 LGS_API lgs_status lgs_islands_copy(const lgs_islands* islands, lgs_islands** copy) LGS_NOTHROW;
@@ -98,7 +98,7 @@ LGS_API void lgs_islands_free(lgs_islands* islands) LGS_NOTHROW;
 /* Takes over what the last commit or roll-back changed. The world must follow its cells. Refused, and nothing changes:
  * LGS_BAD_ARGUMENT, if these changes do not lead from what the view shows to what the world shows: then make a new
  * view; and if the world does not follow its cells: then call lgs_follow_cells() and make a new view. If the world has
- * edits that are not committed, what the view says of islands may be wrong from then on, and nothing worse. Cost:
+ * edits that are not committed, what the view returns of islands may be wrong from then on, and nothing worse. Cost:
  * docs/islands.md. */
 LGS_API lgs_status lgs_islands_update(lgs_islands* islands, const lgs_world* world,
                                       const lgs_changes* changes) LGS_NOTHROW;
@@ -160,7 +160,7 @@ LGS_API lgs_status lgs_take(lgs_world* world, const lgs_islands* islands, lgs_is
 LGS_API lgs_status lgs_take_apart(lgs_world* world, const lgs_islands* islands, lgs_island_id island, lgs_body** bodies,
                                   size_t capacity, size_t* count, lgs_error* error) LGS_NOTHROW;
 /* Sets a body into the ground, so that its origin is this cell: one edit, or nothing. Refused: as by lgs_add_points(),
- * for the first polygon that does not fit; `index` says which. The body stays as it is. */
+ * for the first polygon that does not fit; `index` names which. The body stays as it is. */
 LGS_API lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_error* error) LGS_NOTHROW;
 LGS_API lgs_status lgs_body_get(const lgs_body* body, lgs_body_facts* facts) LGS_NOTHROW;
 /* Refused: LGS_BAD_ARGUMENT, if there is no polygon of this index. */

@@ -37,7 +37,7 @@ MassOfPolygons massOf(const std::vector<BodyPolygon>& polygons) noexcept;
 
 /// Sets a body into the ground, so that its origin is this cell. Its polygons keep their blocks; their handles are new,
 /// and are returned in the same order. All of it happens as one edit, or nothing. Refused: as by World::add(), for the
-/// first polygon that does not fit: Error::index says which.
+/// first polygon that does not fit: Error::index names which.
 [[nodiscard]] Expected<std::vector<PolygonHandle>> put(World& world, const Body& body, Cell cell) noexcept;
 
 }  // namespace lgs

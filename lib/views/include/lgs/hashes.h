@@ -16,9 +16,9 @@
 //  2. Some ground has the sum of the hashes of its polygons, modulo 2^64. Where there is none it is 0.
 //
 // So it follows from the polygons and blocks alone: not from handles, nor from what was edited before, nor from the
-// machine or the version of this library. It never changes what samePolygons() says: equal ground has equal hashes.
-// Ground that differs by chance has equal hashes once in 2^64. Such ground can be made up: these hashes
-// find faults, and keep no liar out.
+// machine or the version of this library. It agrees with samePolygons(): equal ground has equal hashes. Ground that
+// differs by chance has equal hashes once in 2^64. Such ground can be made up: these hashes find faults, and keep no
+// liar out.
 //
 // Ground is divided into squares. One of level 0 is a chunk of 32×32 cells; one of level k + 1 are 4×4 of level k. The
 // only one of level kTopLevel is the world. The square of level k with the origin reaches (4^k − 1) / 3 chunks to the

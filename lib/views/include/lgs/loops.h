@@ -31,7 +31,7 @@
 
 namespace lgs {
 
-/// One loop. Ids are small dense integers. An id stays with its loop until an update says that the loop is no more;
+/// One loop. Ids are small dense integers. An id stays with its loop until an update reports that the loop is no more;
 /// from the next update on it may name another one. Ids are names of the moment: law 12 does not hold for them. After a
 /// roll-back the same loop may have another id, and so may the loops of a view that began at another time. Views that
 /// begin and go on alike have the same ids everywhere. Zero is null.

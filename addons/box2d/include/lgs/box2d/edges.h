@@ -18,7 +18,7 @@
 // An edge belongs to the chunk of its first segment's cell. It ends in that chunk, too, unless it is welded.
 //
 // No function fails. Every function is noexcept: when memory runs out, or EdgeOptions::material throws, the program
-// ends. Functions of edges and segments cost O(1), unless it is said otherwise.
+// ends. Functions of edges and segments cost O(1), unless noted otherwise.
 #pragma once
 
 #include <lgs/box2d/frame.h>

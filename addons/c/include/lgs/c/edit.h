@@ -66,7 +66,7 @@ typedef struct lgs_placement {
 
 /* Places many shapes, each as lgs_add() would, one after the other: all of them or none. polygons[k] receives the id of
  * the first polygon of placements[k]; null ids, if an entry is refused. It may be NULL. Refused as by lgs_add(), and
- * the error's `index` says for which one; if it overlaps an earlier one, `index2` says which. Refused without an index:
+ * the error's `index` names which one; if it overlaps an earlier one, `index2` names which. Refused without an index:
  * LGS_CAPACITY, if there are more than LGS_MAX_ENTRIES. Cost: as of single edits while there is a mark. */
 LGS_API lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_t count,
                                 lgs_polygon_id* polygons, lgs_error* error) LGS_NOTHROW;
@@ -74,8 +74,8 @@ LGS_API lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placement
 /* Refused: LGS_STALE_HANDLE; LGS_CAPACITY, if what is left in the cell would be a content too many. */
 LGS_API lgs_status lgs_remove(lgs_world* world, lgs_polygon_id polygon, lgs_error* error) LGS_NOTHROW;
 
-/* Removes many polygons: all of them or none. Refused as by lgs_remove(), and the error's `index` says for which one;
- * so for an id that comes twice, and `index2` says where it came first. Refused without an index, and cost: as of
+/* Removes many polygons: all of them or none. Refused as by lgs_remove(), and the error's `index` names which one; so
+ * for an id that comes twice, and `index2` is where it was first. Refused without an index, and cost: as of
  * lgs_add_many(). */
 LGS_API lgs_status lgs_remove_many(lgs_world* world, const lgs_polygon_id* polygons, size_t count,
                                    lgs_error* error) LGS_NOTHROW;
@@ -96,8 +96,8 @@ typedef struct lgs_new_polygon {
 /* Removes some polygons of a cell and places others in it, as one edit: all of it happens, or nothing. Ids, segments
  * and lists are as by lgs_remove() and lgs_add_points() one after the other; but polygons need not be apart from those
  * that go. polygons[k] receives the id of added[k]; it may be NULL. Refused: LGS_CELL_OUT_OF_RANGE; LGS_STALE_HANDLE,
- * for an id that is not of this cell or comes twice, and the error's `index` says which; as by lgs_shape(), and the
- * error's `polygon` says which; LGS_OVERLAP; LGS_CAPACITY, without looking at any, if more than LGS_MAX_CELL_POLYGONS
+ * for an id that is not of this cell or comes twice, and the error's `index` names which; as by lgs_shape(), and the
+ * error's `polygon` names which; LGS_OVERLAP; LGS_CAPACITY, without looking at any, if more than LGS_MAX_CELL_POLYGONS
  * are added. Cost: as of one lgs_add_points(). */
 LGS_API lgs_status lgs_exchange(lgs_world* world, lgs_cell cell, const lgs_polygon_id* removed, size_t removed_count,
                                 const lgs_new_polygon* added, size_t added_count, lgs_polygon_id* polygons,

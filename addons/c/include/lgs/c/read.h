@@ -59,7 +59,7 @@ typedef struct lgs_segment_double {
 } lgs_segment_double;
 
 /* Many segments: segments[k] is that of ids[k]. In cells, the differences from the origin are exact before they are
- * rounded, and double is exact. Refused: LGS_UNKNOWN_SEGMENT, the error's `index` says for which one, and what comes
+ * rounded, and double is exact. Refused: LGS_UNKNOWN_SEGMENT, the error's `index` names which one, and what comes
  * before it was written; LGS_OUT_OF_REACH, if the origin is out of range; LGS_CAPACITY, if there are more than
  * LGS_MAX_ENTRIES. */
 LGS_API lgs_status lgs_segments(const lgs_world* world, const lgs_segment_id* ids, size_t count, lgs_segment* segments,

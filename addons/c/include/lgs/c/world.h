@@ -10,8 +10,8 @@
 extern "C" {
 #endif
 
-/* A world of unit cells that hold polygons, unbounded. Chunks of 32x32 cells take memory once an edit reached them, until
- * lgs_forget_chunks() lets go of them. */
+/* A world of unit cells that hold polygons, unbounded. Chunks of 32x32 cells take memory once an edit reached them,
+ * until lgs_forget_chunks() lets go of them. */
 typedef struct lgs_world lgs_world;
 
 /* Says whether the overlap between polygons of these two blocks is kept (not 0) or cancelled (0). The smaller block
@@ -65,11 +65,11 @@ LGS_API lgs_status lgs_save_to_buffer(const lgs_world* world, uint8_t* bytes, si
                                       lgs_error* error) LGS_NOTHROW;
 
 /* Makes the world that was saved. It goes on exactly: the same edits give the same ids and lists as if it had never
- * been saved. It has no marks. `bytes` are what lgs_save() wrote and nothing more: a file with more in it says how long
- * this part is. The options must have the relation that it was saved with; NULL if it had none. Refused: LGS_SAVE_…,
- * and the error has the offset of the byte. Bytes that are cut, damaged or made up are refused, and take no more memory
- * than a constant for each. Cost: in proportion to the world, and quadratic in the vertices of each content of a cell,
- * as lgs_shape() is. */
+ * been saved. It has no marks. `bytes` are what lgs_save() wrote and nothing more: a file with more in it stores how
+ * long this part is. The options must have the relation that it was saved with; NULL if it had none. Refused:
+ * LGS_SAVE_…, and the error has the offset of the byte. Bytes that are cut, damaged or made up are refused, and take no
+ * more memory than a constant for each. Cost: in proportion to the world, and quadratic in the vertices of each content
+ * of a cell, as lgs_shape() is. */
 LGS_API lgs_status lgs_load(const uint8_t* bytes, size_t count, const lgs_world_options* options, lgs_world** world,
                             lgs_error* error) LGS_NOTHROW;
 
@@ -92,7 +92,7 @@ LGS_API lgs_status lgs_count(const lgs_world* world, lgs_stats* stats) LGS_NOTHR
 
 /* The version of the segments, as of the last commit. Each commit that changes any makes a new one, and no world of
  * this process ever makes the same one. A copy has that of its original, until one of them changes. lgs_roll_back()
- * brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions say nothing else:
+ * brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions mean nothing else:
  * the same edits make other ones in another run. */
 LGS_API uint64_t lgs_segments_version(const lgs_world* world) LGS_NOTHROW;
 

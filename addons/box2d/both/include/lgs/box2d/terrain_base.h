@@ -72,7 +72,7 @@ class TerrainBase {
   tl::expected<void, SyncError> commit(World& world) noexcept;
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
-  /// are not the next ones are refused: the terrain stays as it was, and the error says why. After `leftOut` call
+  /// are not the next ones are refused: the terrain stays as it was, and the error is the reason. After `leftOut` call
   /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Cost:
   /// the number of changes, times the segments of an edge; for each body near a change, the changes that are connected
   /// with it; in Box2D 2.4 also, for each fixture that goes, the fixtures of its body, because Box2D looks for it

@@ -24,7 +24,7 @@ struct Material {
   friend bool operator==(const Material& a, const Material& b);
 };
 
-/// Box2D's defaults for a fixture, but for what the material says. `isPassable` is the terrain's alone.
+/// Box2D's defaults for a fixture, but for what the material has. `isPassable` is the terrain's alone.
 inline b2FixtureDef definitionOf(const Material& material) {
   b2FixtureDef definition;
   definition.friction = material.friction;

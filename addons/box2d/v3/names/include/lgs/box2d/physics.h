@@ -36,7 +36,7 @@ struct Material {
   friend bool operator==(const Material& a, const Material& b);
 };
 
-/// Box2D's defaults for a shape, but for what the material says. `isPassable` is the terrain's alone.
+/// Box2D's defaults for a shape, but for what the material has. `isPassable` is the terrain's alone.
 inline b2ShapeDef definitionOf(const Material& material) {
   b2ShapeDef definition = b2DefaultShapeDef();
   definition.material = material.surface;
