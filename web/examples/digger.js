@@ -27,7 +27,7 @@ export async function digger(canvas, size = 24) { // pixels of a cell
     if (held.z || fingers.size > 1) ground.undo()
     else ground.step(1 / 60)
     picture.draw()
-    requestAnimationFrame(frame)
+    if (canvas.isConnected) requestAnimationFrame(frame)
   })
   return ground
 }

@@ -5,7 +5,7 @@ import { digger } from '../../examples/digger.js'
 import { element, onClick } from './dom.js'
 import { Race } from './race/race.js'
 import { drawLanes } from './race/view.js'
-import { copied } from './share.js'
+import { copied, holdsGround } from './share.js'
 import { stepTime } from './side.js'
 import { wantsCalm } from './theme.js'
 
@@ -16,6 +16,7 @@ const wait = 1500 // between two races
 const wide = 1000 // pixels: a page that has room for the code
 
 export class Digger {
+  static readonly address = '#digger'
   ground: Ground | null = null
   readonly #section = element('digger')
   readonly #canvas = element<HTMLCanvasElement>('dig')
@@ -25,18 +26,22 @@ export class Digger {
   #isShowing = !wantsCalm() // the hand digs
   #cursor: [number, number] | null = null // of the keyboard, in pixels
 
-  async open(onLeave: () => void): Promise<void> {
+  /** `onLeave`: for all tools. The digger is gone then. */
+  async open(onLeave: () => Promise<void>): Promise<void> {
     this.#section.hidden = false
+    const leave = async () => {
+      if (location.hash === Digger.address) history.replaceState(null, '', location.pathname + location.search)
+      this.#section.remove()
+      await onLeave()
+    }
     const show = element<HTMLInputElement>('dig-show')
     show.checked = innerWidth > wide
     this.ground = await digger(this.#canvas, this.#size)
-    onClick('dig-more', () => {
-      this.#section.hidden = true
-      onLeave()
-    })
+    onClick('dig-more', () => void leave())
+    addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
     this.#listen()
     requestAnimationFrame((now) => this.#dig(now, now))
-    this.#race(performance.now())
+    requestAnimationFrame(() => requestAnimationFrame((now) => this.#race(now))) // once the ground is seen
     const source = await (await fetch('digger.js')).text()
     element('dig-code').querySelector('code')!.textContent = source
     onClick('dig-copy', () => void copied(source))
@@ -78,7 +83,7 @@ export class Digger {
 
   /** The stem of one mushroom, and later that of the next. */
   #dig(begun: number, now: number, k = 0, last: [number, number] | null = null): void {
-    if (!this.#isShowing || this.#section.hidden) {
+    if (!this.#isShowing || !this.#section.isConnected) {
       this.#hand.hidden = this.#cursor === null
       return
     }
@@ -99,9 +104,9 @@ export class Digger {
     let steps = 0, ended: number | null = null
     if (wantsCalm()) while (!race.isOver) race.step()
     const frame = (now: number) => {
-      if (this.#section.hidden || (ended !== null && now - ended > wait && !wantsCalm())) {
+      if (!this.#section.isConnected || (ended !== null && now - ended > wait && !wantsCalm())) {
         race.free()
-        if (!this.#section.hidden) this.#race(now)
+        if (this.#section.isConnected) this.#race(now)
         return
       }
       for (const due = Math.min(steps + 4, Math.floor((now - begun) / 1000 / stepTime)); steps < due; ++steps) race.step()
