@@ -5,7 +5,8 @@ import { GroundPicture } from 'localgridseg/draw'
 import { init, thickLine } from 'localgridseg/islands'
 import { Ground } from 'localgridseg/planck'
 
-const bedrock = 2, colours = { 1: '#b08968', [bedrock]: '#5d4a3a', 3: '#d1604c' }
+const bedrock = 2
+const colours = { 1: '#b08968', [bedrock]: '#5d4a3a', 3: '#4f9d96', 4: '#d1604c' }
 const options = { anchors: { blocks: [bedrock] }, land, undoSteps: 2000 }
 const fingers = new Map(), held = {} // keys
 
@@ -32,16 +33,23 @@ export async function digger(canvas, size = 24) { // pixels of a cell
   return ground
 }
 
-function land(world, { i0, j0 }) { // makes 32 x 32 cells, when one comes near
+function land(world, { i0, j0 }) { // 32 x 32 cells, when one comes near
   if (j0 !== 0) return
-  const hill = (x) => 4.5 + 1.2 * Math.sin(x / 10)
-  const soil = [0, 8, 16, 24, 32].flatMap((dx) => [i0 + 32 - dx, hill(i0 + 32 - dx)])
-  world.paint({ rings: [[i0, 1, i0 + 32, 1, ...soil]] }, 1)
-  world.paint({ rings: [[i0, 0, i0 + 32, 0, i0 + 32, 1, i0, 1]] }, bedrock)
-  for (let x = i0 + 3.2; x < i0 + 30; x += 6.2) {
-    const top = 14 + 1.6 * Math.sin(x)
-    const cap = [-2.3, 0, 2.3, 0, 1.8, 1.1, 0.7, 1.7, -0.7, 1.7, -1.8, 1.1]
-    world.paint({ rings: [cap.map((v, k) => v + (k % 2 === 0 ? x : top))] }, 3)
-    world.paint(thickLine([x, 1, x, top], 0.4), 1) // its stem
+  const i1 = i0 + 32, xs = [0, 8, 16, 24, 32].map((dx) => i0 + dx)
+  const paint = (ring, block) => world.paint({ rings: [ring] }, block) // where nothing is
+  const put = (ring, x, y, block) => paint(ring.map((v, n) => v + (n % 2 ? y : x)), block)
+  for (const y of [0, 31]) paint([i0, y, i1, y, i1, y + 1, i0, y + 1], bedrock)
+  for (let k = 0, x = i0 + 3.2; k < 5; ++k, x += 6.2) {
+    const stands = k % 2, y = stands ? 11.5 + 1.6 * Math.sin(x) : 12
+    put(stands ? cap : crystal, x, y, 3 + stands)
+    world.paint(thickLine(stands ? [x, 1, x, y] : [x, y + 2, x, 21], 0.4), 1)
+    for (const [dx, y] of [[3, 2.3], [-2.4, 20.9], [2.5, 25.6], [0.3, 23.3]])
+      put(gem, x + dx, y, 4 - stands)
   }
+  const floor = xs.map((x) => [x, 4.5 + 1.2 * Math.sin(x / 10)]).reverse()
+  paint([i0, 1, i1, 1, ...floor.flat()], 1)
+  paint([...xs.flatMap((x) => [x, 19 + 1.4 * Math.sin(x / 7)]), i1, 31, i0, 31], 1)
 }
+const cap = [-2.3, 0, 2.3, 0, 1.8, 1.1, 0.7, 1.7, -0.7, 1.7, -1.8, 1.1]
+const crystal = [-1.9, 1.2, -0.7, -0.9, 0.3, -1.1, 1.9, 1.6, 1, 2.8, -1.1, 2.8]
+const gem = [-0.5, 0, 0, -0.7, 0.5, 0, 0, 0.7]

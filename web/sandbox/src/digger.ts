@@ -81,20 +81,20 @@ export class Digger {
     window.dispatchEvent(new PointerEvent('pointerup', { pointerId: -1 }))
   }
 
-  /** The stem of one mushroom, and later that of the next. */
+  /** What one crystal hangs on, later the stem of a mushroom, and so on. */
   #dig(begun: number, now: number, k = 0, last: [number, number] | null = null): void {
     if (!this.#isShowing || !this.#section.isConnected) {
       this.#hand.hidden = this.#cursor === null
       return
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
-    const x = (9.4 + 6.2 * k) * this.#size, y = clientHeight - 8.5 * this.#size
+    const x = (9.4 + 6.2 * k) * this.#size, y = clientHeight - (k % 2 === 0 ? 16.5 : 8.5) * this.#size
     const at: [number, number] = [x + this.#size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2, y]
     this.#show(...at)
     if (time > 0) this.#touch(...(last ?? at), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
-    if (isCut && (9.4 + 6.2 * next + 2.4) * this.#size > clientWidth) return
+    if (isCut && (9.4 + 6.2 * next + 1.5) * this.#size > clientWidth) return
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
   }
 
