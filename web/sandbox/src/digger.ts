@@ -22,7 +22,7 @@ export class Digger {
   readonly #canvas = element<HTMLCanvasElement>('dig')
   readonly #hand = element('dig-hand')
   readonly #strip = element('dig-race').querySelector('canvas')!
-  readonly #size = innerWidth < 720 ? 22 : 26 // pixels of a cell
+  #size = 0 // pixels of a cell
   #isShowing = !wantsCalm() // the hand digs
   #cursor: [number, number] | null = null // of the keyboard, in pixels
 
@@ -36,6 +36,8 @@ export class Digger {
     }
     const show = element<HTMLInputElement>('dig-show')
     show.checked = innerWidth > wide
+    // The land is 32 cells high.
+    this.#size = Math.max(innerWidth < 720 ? 22 : 26, this.#canvas.clientHeight / 32)
     this.ground = await digger(this.#canvas, this.#size)
     onClick('dig-more', () => void leave())
     addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
@@ -49,11 +51,12 @@ export class Digger {
 
   #listen(): void {
     for (const event of ['pointerdown', 'keydown']) addEventListener(event, ({ isTrusted }) => { if (isTrusted) this.#isShowing = false }, { capture: true })
-    const key = (type: string) => dispatchEvent(new KeyboardEvent(type, { key: 'z' })), back = element('dig-back')
-    back.addEventListener('pointerdown', () => key('keydown'))
-    for (const end of ['pointerup', 'pointerleave', 'pointercancel']) back.addEventListener(end, () => key('keyup'))
-    back.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') key('keydown') })
-    back.addEventListener('keyup', () => key('keyup'))
+    for (const [id, key] of [['dig-back', 'z'], ['dig-left', 'a'], ['dig-right', 'd']]) {
+      const button = element(id), say = (type: string) => dispatchEvent(new KeyboardEvent(type, { key }))
+      button.addEventListener('pointerdown', () => say('keydown'))
+      for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur']) button.addEventListener(end, () => say('keyup'))
+      button.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') say('keydown') })
+    }
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
     this.#canvas.addEventListener('keydown', (event) => {
       const { clientWidth, clientHeight } = this.#canvas, by = arrows[event.key]
