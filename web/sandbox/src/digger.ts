@@ -97,7 +97,7 @@ export class Digger {
     if (time > 0) this.#touch(...(last ?? at), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
-    if (isCut && (9.4 + 6.2 * next + 1.5) * this.#size > clientWidth) return
+    if (isCut && (9.4 + 6.2 * next + 1.4) * this.#size > clientWidth) return
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
   }
 
