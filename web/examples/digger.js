@@ -2,10 +2,11 @@
 // A and D walk, the land has no end; Z, or a second finger, goes back in time.
 import { World } from 'planck'
 import { GroundPicture } from 'localgridseg/draw'
-import { init, thickLine } from 'localgridseg/islands'
+import { init, thickLine, unitSquare } from 'localgridseg/islands'
 import { Ground } from 'localgridseg/planck'
 
-const bedrock = 2, colours = { 1: '#b08968', [bedrock]: '#5d4a3a', 3: '#d1604c' }
+const bedrock = 2
+const colours = { 1: '#b08968', [bedrock]: '#5d4a3a', 3: '#4f9d96', 4: '#d1604c' }
 const options = { anchors: { blocks: [bedrock] }, land, undoSteps: 2000 }
 const fingers = new Map(), held = {} // keys
 
@@ -27,21 +28,34 @@ export async function digger(canvas, size = 24) { // pixels of a cell
     if (held.z || fingers.size > 1) ground.undo()
     else ground.step(1 / 60)
     picture.draw()
-    requestAnimationFrame(frame)
+    if (canvas.isConnected) requestAnimationFrame(frame)
   })
   return ground
 }
 
-function land(world, { i0, j0 }) { // makes 32 x 32 cells, when one comes near
+function land(world, { i0, j0 }) { // 32 x 32 cells, when one comes near
   if (j0 !== 0) return
-  const hill = (x) => 4.5 + 1.2 * Math.sin(x / 10)
-  const soil = [0, 8, 16, 24, 32].flatMap((dx) => [i0 + 32 - dx, hill(i0 + 32 - dx)])
-  world.paint({ rings: [[i0, 1, i0 + 32, 1, ...soil]] }, 1)
-  world.paint({ rings: [[i0, 0, i0 + 32, 0, i0 + 32, 1, i0, 1]] }, bedrock)
-  for (let x = i0 + 3.2; x < i0 + 30; x += 6.2) {
-    const top = 14 + 1.6 * Math.sin(x)
-    const cap = [-2.3, 0, 2.3, 0, 1.8, 1.1, 0.7, 1.7, -0.7, 1.7, -1.8, 1.1]
-    world.paint({ rings: [cap.map((v, k) => v + (k % 2 === 0 ? x : top))] }, 3)
-    world.paint(thickLine([x, 1, x, top], 0.4), 1) // its stem
+  const square = world.shape(unitSquare)
+  const rows = (j0, j1, block) => world.fill({ i0, j0, i1: i0 + 31, j1 }, square, block)
+  const paint = (ring, block, mode) => world.paint({ rings: [ring] }, block, mode)
+  const put = (ring, x, y, block) =>
+    paint(ring.map((v, n) => v + (n % 2 ? y : x)), block, 'replace')
+  const i1 = i0 + 32, xs = [0, 8, 16, 24, 32].map((dx) => i0 + dx)
+  const floor = xs.map((x) => [x, 4.5 + 1.2 * Math.sin(x / 10)]).reverse()
+  const roof = xs.map((x) => [x, 19 + 1.4 * Math.sin(x / 7)])
+  for (const j of [0, 31]) rows(j, j, bedrock)
+  rows(1, 2, 1)
+  rows(21, 30, 1)
+  paint([i0, 3, i1, 3, ...floor.flat()], 1)
+  paint([...roof.flat(), i1, 21, i0, 21], 1)
+  for (let k = 0, x = i0 + 3.2; k < 5; ++k, x += 6.2) {
+    const stands = k % 2, y = stands ? 11.5 + 1.6 * Math.sin(x) : 12
+    world.paint(thickLine(stands ? [x, 3, x, y] : [x, y + 2, x, 21], 0.4), 1)
+    put(stands ? cap : crystal, x, y, 3 + stands)
+    for (const [dx, y] of [[3, 2.3], [-2.4, 20.9], [2.5, 25.6], [0.3, 23.3]])
+      put(gem, x + dx, y, 4 - stands)
   }
 }
+const cap = [-2.3, 0, 2.3, 0, 1.8, 1.1, 0.7, 1.7, -0.7, 1.7, -1.8, 1.1]
+const crystal = [-1.9, 1.2, -0.7, -0.9, 0.3, -1.1, 1.9, 1.6, 1, 2.8, -1.1, 2.8]
+const gem = [-0.5, 0, 0, -0.7, 0.5, 0, 0, 0.7]

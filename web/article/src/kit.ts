@@ -187,8 +187,11 @@ export class Figure {
     this.#element.dataset.says = text
   }
 
-  /** Calls step() sixty times a second while the figure is on the screen. Who wants no motion starts it by a button. */
-  runs(step: () => void): void {
+  /**
+   * Calls step() sixty times a second while the figure is on the screen. Who wants no motion starts it by a button. It
+   * returns what stops it, until the button is pressed.
+   */
+  runs(step: () => void): () => void {
     let isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches
     const button = this.button('', () => {
       isPlaying = !isPlaying
@@ -212,6 +215,10 @@ export class Figure {
       requestAnimationFrame(frame)
     }
     requestAnimationFrame(frame)
+    return () => {
+      isPlaying = false
+      name()
+    }
   }
 
   #place(event: MouseEvent): [number, number] {

@@ -59,9 +59,19 @@ test('the wheel is kicked without ghosts, and not with them', () =>
     await page.locator('#seams input').check()
     await page.waitForTimeout(3000)
     assert.match(await says(page, 'seams'), /^0 kicks .* 3\.00 of 3/)
+  }, 'article/'))
+
+test('at a seam the ball is pushed askew without ghosts; it rolls by itself, until somebody takes it', () =>
+  browser.onPath(async (page) => {
+    await saysSoon(page, 'ghosts', /pushes 2 times, 1 of them askew/)
+    await page.waitForFunction(() => document.querySelector('#ghosts input').checked)
+    await page.locator('#ghosts input').uncheck()
+    await handle(page, 'ghosts').focus()
+    for (let k = 0; k < 60 && !/askew/.test(await says(page, 'ghosts')); ++k) await page.keyboard.press('ArrowLeft')
     assert.match(await says(page, 'ghosts'), /pushes 2 times, 1 of them askew/)
     await page.locator('#ghosts input').check()
     assert.match(await says(page, 'ghosts'), /pushes 1 time, straight up/)
+    assert.equal(await page.locator('#ghosts button').textContent(), 'Play')
   }, 'article/'))
 
 test('law 1: a tip cuts the wall, a tile cancels its neighbours\' edges', () =>

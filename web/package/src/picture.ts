@@ -86,7 +86,7 @@ export class GroundPicture {
     context.save()
     context.setTransform(scale, 0, 0, -scale, -scale * this.x, height + scale * this.y)
     context.lineJoin = context.lineCap = 'round'
-    for (const { fills } of this.#squares.values()) this.#fill(context, fills)
+    for (const { fills } of this.#squares.values()) this.#fill(context, fills, 0.06)
     for (const { outline } of this.#squares.values()) this.#stroke(context, outline, 0.07)
     for (const { ground, x, y, angle } of this.#ground.rocks()) {
       const { outline, fills } = this.#drawnOf(ground)
@@ -94,7 +94,7 @@ export class GroundPicture {
       context.translate(x, y)
       context.rotate(angle)
       this.#stroke(context, outline, 0.07) // half of it is seen, around the whole
-      this.#fill(context, fills)
+      this.#fill(context, fills, 0.02)
       context.restore()
     }
     context.restore()
@@ -111,12 +111,12 @@ export class GroundPicture {
     return drawn
   }
 
-  #fill(context: CanvasRenderingContext2D, fills: Drawn['fills']): void {
+  #fill(context: CanvasRenderingContext2D, fills: Drawn['fills'], width: number): void {
     for (const [block, path] of fills) {
       context.fillStyle = this.#colours[block] ?? '#888'
       context.fill(path)
       context.strokeStyle = context.fillStyle
-      context.lineWidth = 0.02 // no gaps between polygons
+      context.lineWidth = width // no gaps between polygons; the outline covers it
       context.stroke(path)
     }
   }

@@ -5,7 +5,7 @@ import { digger } from '../../examples/digger.js'
 import { element, onClick } from './dom.js'
 import { Race } from './race/race.js'
 import { drawLanes } from './race/view.js'
-import { copied } from './share.js'
+import { copied, holdsGround } from './share.js'
 import { stepTime } from './side.js'
 import { wantsCalm } from './theme.js'
 
@@ -16,27 +16,34 @@ const wait = 1500 // between two races
 const wide = 1000 // pixels: a page that has room for the code
 
 export class Digger {
+  static readonly address = '#digger'
   ground: Ground | null = null
   readonly #section = element('digger')
   readonly #canvas = element<HTMLCanvasElement>('dig')
   readonly #hand = element('dig-hand')
   readonly #strip = element('dig-race').querySelector('canvas')!
-  readonly #size = innerWidth < 720 ? 22 : 26 // pixels of a cell
+  #size = 0 // pixels of a cell
   #isShowing = !wantsCalm() // the hand digs
   #cursor: [number, number] | null = null // of the keyboard, in pixels
 
-  async open(onLeave: () => void): Promise<void> {
+  /** `onLeave`: for all tools. The digger is gone then. */
+  async open(onLeave: () => Promise<void>): Promise<void> {
     this.#section.hidden = false
+    const leave = async () => {
+      if (location.hash === Digger.address) history.replaceState(null, '', location.pathname + location.search)
+      this.#section.remove()
+      await onLeave()
+    }
     const show = element<HTMLInputElement>('dig-show')
     show.checked = innerWidth > wide
+    // The land is 32 cells high.
+    this.#size = Math.max(innerWidth < 720 ? 22 : 26, this.#canvas.clientHeight / 32)
     this.ground = await digger(this.#canvas, this.#size)
-    onClick('dig-more', () => {
-      this.#section.hidden = true
-      onLeave()
-    })
+    onClick('dig-more', () => void leave())
+    addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
     this.#listen()
     requestAnimationFrame((now) => this.#dig(now, now))
-    this.#race(performance.now())
+    requestAnimationFrame(() => requestAnimationFrame((now) => this.#race(now))) // once the ground is seen
     const source = await (await fetch('digger.js')).text()
     element('dig-code').querySelector('code')!.textContent = source
     onClick('dig-copy', () => void copied(source))
@@ -44,11 +51,12 @@ export class Digger {
 
   #listen(): void {
     for (const event of ['pointerdown', 'keydown']) addEventListener(event, ({ isTrusted }) => { if (isTrusted) this.#isShowing = false }, { capture: true })
-    const key = (type: string) => dispatchEvent(new KeyboardEvent(type, { key: 'z' })), back = element('dig-back')
-    back.addEventListener('pointerdown', () => key('keydown'))
-    for (const end of ['pointerup', 'pointerleave', 'pointercancel']) back.addEventListener(end, () => key('keyup'))
-    back.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') key('keydown') })
-    back.addEventListener('keyup', () => key('keyup'))
+    for (const [id, key] of [['dig-back', 'z'], ['dig-left', 'a'], ['dig-right', 'd']]) {
+      const button = element(id), say = (type: string) => dispatchEvent(new KeyboardEvent(type, { key }))
+      button.addEventListener('pointerdown', () => say('keydown'))
+      for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur']) button.addEventListener(end, () => say('keyup'))
+      button.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') say('keydown') })
+    }
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
     this.#canvas.addEventListener('keydown', (event) => {
       const { clientWidth, clientHeight } = this.#canvas, by = arrows[event.key]
@@ -76,20 +84,20 @@ export class Digger {
     window.dispatchEvent(new PointerEvent('pointerup', { pointerId: -1 }))
   }
 
-  /** The stem of one mushroom, and later that of the next. */
+  /** What one crystal hangs on, later the stem of a mushroom, and so on. */
   #dig(begun: number, now: number, k = 0, last: [number, number] | null = null): void {
-    if (!this.#isShowing || this.#section.hidden) {
+    if (!this.#isShowing || !this.#section.isConnected) {
       this.#hand.hidden = this.#cursor === null
       return
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
-    const x = (9.4 + 6.2 * k) * this.#size, y = clientHeight - 8.5 * this.#size
+    const x = (9.4 + 6.2 * k) * this.#size, y = clientHeight - (k % 2 === 0 ? 16.5 : 8.5) * this.#size
     const at: [number, number] = [x + this.#size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2, y]
     this.#show(...at)
     if (time > 0) this.#touch(...(last ?? at), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
-    if (isCut && (9.4 + 6.2 * next + 2.4) * this.#size > clientWidth) return
+    if (isCut && (9.4 + 6.2 * next + 1.4) * this.#size > clientWidth) return
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
   }
 
@@ -99,9 +107,9 @@ export class Digger {
     let steps = 0, ended: number | null = null
     if (wantsCalm()) while (!race.isOver) race.step()
     const frame = (now: number) => {
-      if (this.#section.hidden || (ended !== null && now - ended > wait && !wantsCalm())) {
+      if (!this.#section.isConnected || (ended !== null && now - ended > wait && !wantsCalm())) {
         race.free()
-        if (!this.#section.hidden) this.#race(now)
+        if (this.#section.isConnected) this.#race(now)
         return
       }
       for (const due = Math.min(steps + 4, Math.floor((now - begun) / 1000 / stepTime)); steps < due; ++steps) race.step()

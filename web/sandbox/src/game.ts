@@ -159,11 +159,13 @@ function castIn(world: World, cells: CellRect): Cast {
 function ridersIn(world: World, cells: CellRect): Start[] {
   const columns = cells.i1 - cells.i0 + 1
   const count = Math.max(1, Math.min(16, Math.floor(columns / 2)))
-  return Array.from({ length: count }, (_, k) => {
+  const places = Array.from({ length: count }, (_, k) => {
     const x = cells.i0 + ((k + 0.5) * columns) / count, isCar = k === count >> 1, size = isCar ? 0.7 : 0.3 + 0.05 * (k % 3)
-    const y = underRoof(world, cells, x, isCar ? 1.2 : size) ?? cells.j1 + 3
-    return { kind: isCar ? 'car' : 'marble', x, y, speed: 1, size, colour: k % 5 }
+    const y = underRoof(world, cells, x, isCar ? 1.2 : size)
+    return { kind: isCar ? 'car' : 'marble', x, y: y ?? cells.j1 + 3, speed: 1, size, colour: k % 5, isInCave: y !== null } as const
   })
+  const inCaves = places.filter(({ isInCave }) => isInCave)
+  return (inCaves.length > 0 ? inCaves : places).map(({ isInCave: _, ...start }) => start)
 }
 
 /** A place in this column with ground above and below it, and room around it; the highest one. Null if there is none. */

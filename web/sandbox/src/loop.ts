@@ -1,5 +1,8 @@
-// Time: calls step() sixty times a second of simulated time, and draw() in each frame.
+// Time: calls step() sixty times a second of simulated time, and draw() in each frame. Where steps take too long for that
+// time goes slower: to catch up would make the next frame late, too.
 import { stepTime } from './side.js'
+
+const enough = 8 // milliseconds of steps in a frame
 
 export class Loop {
   playing = true
@@ -25,7 +28,11 @@ export class Loop {
   #frame(now: number): void {
     if (this.playing && this.running) {
       this.#owed += Math.min(0.05, (now - this.#last) / 1000) * (this.slow ? 0.2 : 1)
-      for (; this.#owed >= stepTime; this.#owed -= stepTime) this.#step()
+      const latest = performance.now() + enough
+      while (this.#owed >= stepTime) {
+        this.#step()
+        this.#owed = performance.now() < latest ? this.#owed - stepTime : this.#owed % stepTime
+      }
     }
     this.#last = now
     if (this.running || !this.#isSeen) this.#isSeen = this.#draw()  // once in any case: behind a dialogue, too

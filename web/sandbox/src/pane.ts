@@ -126,15 +126,13 @@ export class Pane {
     c.fillStyle = theme().ink
     c.textAlign = 'center'
     c.textBaseline = 'middle'
-    c.font = `${12 / camera.scale}px system-ui, sans-serif`
+    c.font = '12px system-ui, sans-serif'
+    c.setTransform(ratio, 0, 0, ratio, 0, 0)
     for (const [x, y] of labels) {
       const spot = game.ground.world.at(x, y)
       const kind = spot.where === 'outside' ? null : kindOf(spot.block)
       if (kind === null || kind.block === GROUND) continue
-      c.setTransform(camera.scale * ratio, 0, 0, camera.scale * ratio, 0, 0)
-      const px = this.canvas.width / ratio / 2 / camera.scale
-      const py = this.canvas.height / ratio / 2 / camera.scale
-      c.fillText(kind.name, px + x - camera.x, py - y + camera.y)
+      c.fillText(kind.name, ...camera.toPixel(x, y, this.canvas.width / ratio, this.canvas.height / ratio))
     }
     c.restore()
   }

@@ -55,6 +55,7 @@ function drawDot(c: CanvasRenderingContext2D, { bodies, start }: Rider, colours:
 // The path of the last second. Over good ground it is a smooth line.
 function drawTrail(c: CanvasRenderingContext2D, { start, trail }: Rider, colours: Theme, pixel: number): void {
   const parts = 4
+  if (trail.length === 0) return
   c.strokeStyle = colours.riders[start.colour % colours.riders.length]
   c.lineWidth = 2 * pixel
   for (let part = 0; part < parts; ++part) {

@@ -15,6 +15,10 @@ export async function toHash(text: string): Promise<string> {
   return prefixes.state + btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
 }
 
+export function holdsGround(hash: string): boolean {
+  return [plain, ...Object.values(prefixes)].some((prefix) => hash.startsWith(prefix))
+}
+
 /** Null if the address holds nothing. Throws if it is damaged. */
 export async function fromHash(hash: string): Promise<Held | null> {
   if (hash.startsWith(plain)) return { kind: 'trace', text: decodeURIComponent(hash.slice(plain.length)) }

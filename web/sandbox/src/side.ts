@@ -70,6 +70,7 @@ export class Side {
 
   add(start: Start): void {
     this.riders.push(makeRider(this.physics, start))
+    if (this.riders.length > mostTrails) for (const { trail } of this.riders) trail.length = 0
   }
 
   removeAll(): void {

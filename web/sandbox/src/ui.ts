@@ -5,6 +5,7 @@ import { Facts } from './facts.js'
 import { choose, element, onClick, radios } from './dom.js'
 import { openFiles, openTrace, traceText } from './documents.js'
 import type { Game, View } from './game.js'
+import { forgetGround, keepGround, keptGround } from './keep.js'
 import type { Loop } from './loop.js'
 import { Recompute } from './recompute.js'
 import { askReference, differences } from './reference.js'
@@ -14,8 +15,6 @@ import { copied, download, fromHash, toHash } from './share.js'
 import { capture, restore, type State } from './state.js'
 import type { Viewer } from './viewer.js'
 
-const keptAs = 'localgridseg-sandbox'
-const mostKept = 1_000_000 // characters
 const mostRecomputed = 20_000 // polygons: a full recompute of more takes minutes
 const chunk = 16 // cells along a side
 const readFor = 5000 // milliseconds
@@ -52,7 +51,7 @@ export class Ui {
 
   /** Opens what the address holds, if it holds something; otherwise what was here last time. Whether there was any. */
   async openAddress(): Promise<boolean> {
-    const kept = location.hash === '' ? recall() : null
+    const kept = location.hash === '' ? keptGround() : null
     let isOpen = false
     await this.#try(async () => {
       const held = await fromHash(kept ?? location.hash)
@@ -74,7 +73,7 @@ export class Ui {
       const { make, cast } = sceneOf(id)
       const document = await make()
       this.#show(() => this.#game.open(document, cast?.()), id)
-      forget()
+      forgetGround()
     })
   }
 
@@ -83,10 +82,9 @@ export class Ui {
     if (this.#isKeeping || this.isShowing || !this.#game.ground.isEdited) return
     this.#isKeeping = true
     try {
-      const hash = await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene)))
-      if (hash.length < mostKept) localStorage.setItem(keptAs, hash)
+      keepGround(await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene))))
     } catch {
-      forget() // too large, or the browser keeps nothing
+      forgetGround() // too large
     } finally {
       this.#isKeeping = false
     }
@@ -301,21 +299,4 @@ export class Ui {
 function chunksOf({ i0, j0, i1, j1 }: CellRect): CellRect {
   const [low, high] = [(x: number) => Math.floor(x / chunk) * chunk, (x: number) => Math.ceil((x + 1) / chunk) * chunk - 1]
   return { i0: low(i0), j0: low(j0), i1: high(i1), j1: high(j1) }
-}
-
-// A browser may keep nothing, and say so by throwing.
-function recall(): string | null {
-  try {
-    return localStorage.getItem(keptAs)
-  } catch {
-    return null
-  }
-}
-
-function forget(): void {
-  try {
-    localStorage.removeItem(keptAs)
-  } catch {
-    // then there is nothing to forget
-  }
 }

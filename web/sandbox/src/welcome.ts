@@ -1,6 +1,7 @@
 // The first seconds of who has not been here: one rock is dug free, and falls; and a place is shown where the next one
 // hangs. Whatever a visitor does ends it.
 import type { Game } from './game.js'
+import { noteWelcome } from './keep.js'
 import { neckOf, rocks } from './scenes/landscape.js'
 import { settings } from './settings.js'
 import { wantsCalm } from './theme.js'
@@ -12,17 +13,7 @@ const takes = 500
 const next = 1400 // after it has dug
 const longest = 30_000
 
-const seen = 'localgridseg-welcomed'
-
 export class Welcome {
-  static wasSeen(): boolean {
-    try {
-      return localStorage.getItem(seen) !== null
-    } catch {
-      return false // the browser keeps nothing
-    }
-  }
-
   readonly #game: Game
   readonly #viewer: Viewer
   readonly #onEnd: () => void
@@ -45,11 +36,7 @@ export class Welcome {
     if (this.#step === 'digs') this.#brush.up(this.#game)
     this.#step = 'over'
     this.#viewer.invitation = null
-    try {
-      localStorage.setItem(seen, 'yes')
-    } catch {
-      // then it is shown once more
-    }
+    noteWelcome()
     this.#onEnd()
   }
 

@@ -20,7 +20,7 @@ try {
       window.sandbox.race.step(400, 0)
       return window.sandbox.race.race.lanes.map(({ moments, kicks, time, replay, kickInReplay }) => ({
         moments: moments.filter(({ x }) => x < 24.8),
-        kicks,
+        kicks: kicks.map(({ at }) => at),
         time,
         replay,
         kickInReplay,

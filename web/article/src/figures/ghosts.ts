@@ -1,14 +1,17 @@
-// Ghosts, and what physics does with them: a ball on a seam, and the directions in which the floor pushes it.
+// Ghosts, and what physics does with them: a ball rolls over seams, without ghosts and with them, and one sees in which
+// directions the floor pushes it.
 import { createWorld } from 'localgridseg'
 import { PlanckTerrain } from 'localgridseg/planck'
 import { Circle, Vec2, World as Physics, WorldManifold } from 'planck'
 import { counted, segmentsOf, solids, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
-import { arrow, disc, path, type Point } from '../svg.js'
+import { arrow, disc, path, type Point, words } from '../svg.js'
 
 const radius = 0.55
 const tiles = 4
 const straight = 0.02 // radians
+const height = 1 + radius - 0.06 // of a ball that is pressed onto the floor
+const pace = 0.6 // cells a second
 
 export default function ghosts(element: HTMLElement): void {
   const fig = new Figure(element, { x0: -0.15, y0: -0.1, x1: tiles + 0.15, y1: 2.7 }, 'A ball pressed onto the seam of two tiles')
@@ -41,15 +44,28 @@ export default function ghosts(element: HTMLElement): void {
     return found
   }
   const handle = fig.handle({
-    at: [1.8, 1 + radius - 0.06],
+    at: [1.8, height],
     label: 'The ball',
     step: 0.05,
-    move: (x, y) => [clamp(x, 0.6, tiles - 0.6), clamp(y, 1 + radius - 0.2, 2.1)],
+    move(x, y) {
+      stop()
+      return [clamp(x, 0.6, tiles - 0.6), clamp(y, 1 + radius - 0.2, 2.1)]
+    },
   })
-  fig.toggle('Ghost vertices', isOn, (on) => {
-    isOn = on
-    terrain.ghosts = on
+  const set = (on: boolean) => (isOn = terrain.ghosts = on)
+  const box = fig.toggle('Ghost vertices', isOn, (on) => {
+    stop()
+    set(on)
     fig.redraw()
+  })
+  // To and fro: once without ghosts, once with them. Whoever takes hold of it ends that.
+  let way = 1
+  const stop = fig.runs(() => {
+    const x = handle.at[0] + (way * pace) / 60
+    handle.at = [x, height]
+    if (x > 0.7 && x < tiles - 0.7) return
+    way = x < 2 ? 1 : -1
+    set((box.checked = !isOn))
   })
   fig.draws(() => {
     const at = handle.at
@@ -60,14 +76,16 @@ export default function ghosts(element: HTMLElement): void {
     for (const segment of floor) parts.push(arrow(segment.id === under.id ? 'chosen' : 'segment', segment.start, segment.end, 10 * fig.pixel, 0, 0.85))
     if (isOn) {
       parts.push(path('whisker', [under.start, under.ghost1]), path('whisker', [under.end, under.ghost2]))
-      parts.push(disc('ghostpoint', under.ghost1, 7 * fig.pixel), disc('ghostpoint', under.ghost2, 7 * fig.pixel))
+      for (const ghost of [under.ghost1, under.ghost2])
+        parts.push(disc('ghostpoint', ghost, 7 * fig.pixel), words('label', [clamp(ghost[0], 0.3, tiles - 0.3), 0.8], 13 * fig.pixel, 'ghost'))
     }
     parts.push(disc('ball', at, radius))
     let skewed = 0
     for (const { at: [x, y], normal } of found) {
       const angle = Math.atan2(normal[0], normal[1])
-      if (Math.abs(angle) > straight) ++skewed
-      const kind = Math.abs(angle) > straight ? 'push wrong' : 'push'
+      const isAskew = Math.abs(angle) > straight, kind = isAskew ? 'push wrong' : 'push'
+      if (isAskew) ++skewed
+      if (isAskew) parts.push(words('label askew', [x + normal[0] * 1.1, y + normal[1] * 1.2], 14 * fig.pixel, 'askew'))
       parts.push(arrow(kind, [x, y], [x + normal[0] * 0.9, y + normal[1] * 0.9], 12 * fig.pixel, 0, 0.95))
     }
     layer.replaceChildren(...parts)

@@ -32,8 +32,8 @@ export class Lane {
   readonly moments: Moment[] = []
   /** In seconds; null until then. */
   time: number | null = null
-  /** Where it was kicked: x, y in cells. */
-  readonly kicks: [number, number][] = []
+  /** Where it was kicked, and at which moment: x, y in cells. */
+  readonly kicks: { readonly at: [number, number]; readonly moment: number }[] = []
   /** The step of the first kick that can be seen; -1 before. */
   kickAt = -1
 
@@ -49,7 +49,7 @@ export class Lane {
     this.#note()
     const { recent, step } = this.side.kicks
     const fresh = recent.filter((kick) => kick.step === step)
-    for (const { x, y } of fresh) this.kicks.push([x / cell, y / cell])
+    for (const { x, y } of fresh) this.kicks.push({ at: [x / cell, y / cell], moment: this.moments.length - 1 })
     if (this.kickAt < 0 && fresh.some(({ strength }) => strength >= worthwhile)) this.kickAt = this.moments.length - 1
     const now = this.moments.at(-1)!
     if (this.time !== null || now.x < finish) return

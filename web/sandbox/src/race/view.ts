@@ -5,6 +5,8 @@ import { finish, type Lane, type Moment, type Race, start } from './race.js'
 
 const slower = 14 // times, under the lens
 const lensCells = 2.4
+const flashes = 24 // steps
+const farthest = 6 // cells, that one wheel is ahead of the other
 const font = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif'
 
 interface Place {
@@ -13,6 +15,13 @@ interface Place {
   readonly width: number
   readonly height: number
 }
+
+/** What of the track is seen: the cell at the left, and how many. */
+interface Part {
+  readonly from: number
+  readonly cells: number
+}
+const whole: Part = { from: -0.5, cells: finish + 2 }
 
 export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number, height: number, now: number): void {
   const colours = theme()
@@ -29,61 +38,73 @@ export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number,
   drawLens(c, race.lanes[1], middle, isWide ? lens / 2 + 44 : bottom + lens / 2 + 30, lens / 2, now)
 }
 
-/** The lanes alone. */
+/** The lanes alone, from near: what is seen goes along with the wheel that is behind. */
 export function drawLanes(c: CanvasRenderingContext2D, race: Race, width: number, height: number): void {
   c.fillStyle = theme().sky
   c.fillRect(0, 0, width, height)
-  race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: (k * height) / 2, width, height: height / 2 }))
+  const cells = Math.max(farthest + 3.5, (width / height) * 2.9), behind = race.lanes[1].moments.at(-1)!.x
+  const part = { from: Math.min(Math.max(whole.from, behind - 2), finish + 5 - cells), cells }
+  race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: (k * height) / 2, width, height: height / 2 }, part))
 }
 
-function unitOf({ width }: Place): number {
-  return (width - 24) / (finish + 2)
+function unitOf({ width }: Place, { cells }: Part): number {
+  return (width - 24) / cells
 }
 
-function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: Place): void {
+function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: Place, part = whole): void {
   const colours = theme()
-  const unit = unitOf(place)
-  const floor = place.y + place.height - 8 - unit * 0.8
-  const at = (x: number, y: number): [number, number] => [place.x + 12 + (x + 0.5) * unit, floor - (y - 1) * unit]
-  const text = Math.max(12, Math.min(17, place.height / 6))
-  c.textBaseline = 'top'
-  c.textAlign = 'left'
-  c.fillStyle = colours.ink
-  c.font = `600 ${text}px ${font}`
-  const title = lane.side.ghosts ? 'With ghost vertices' : 'Without'
-  c.fillText(title, 14, place.y + 10)
-  const left = 24 + c.measureText(title).width
-  if (lane.time !== null) {
-    c.font = `650 ${text * 1.5}px ${font}`
-    c.textAlign = 'right'
-    c.fillText(`${lane.time.toFixed(2)} s`, place.width - 14, place.y + 6)
-  }
-  const kicks = lane.side.kicks.count
-  c.font = `${text}px ${font}`
-  c.textAlign = 'left'
-  c.fillStyle = kicks > 0 ? colours.kick : colours.ink
-  c.fillText(`${kicks} kicks`, left, place.y + 10)
-
-  for (let i = 0; i < finish + 1; ++i) {
-    c.fillStyle = colours.ground
-    const [x, y] = at(i, 1)
-    c.fillRect(x + 0.5, y, unit - 1, unit * 0.8)
-  }
-  drawFlag(c, at(finish, 1), unit)
+  const unit = unitOf(place, part)
+  const thick = part === whole ? 0.8 * unit : Math.min(30, 0.36 * place.height)
+  const floor = place.y + place.height - (part === whole ? 8 : 3) - thick
+  const at = (x: number, y: number): [number, number] => [place.x + 12 + (x - part.from) * unit, floor - (y - 1) * unit]
   c.save()
   c.beginPath()
   c.rect(place.x, place.y, place.width, place.height)
   c.clip()
+  for (let i = 0; i < finish + 5; ++i) {
+    c.fillStyle = colours.ground
+    const [x, y] = at(i, 1)
+    c.fillRect(x + 0.5, y, unit - 1, thick)
+  }
+  drawFlag(c, at(finish, 1), Math.min(unit, place.height / 3))
   if (lane.side.ghosts) drawGhosts(c, world, lane.moments.at(-1)!, at)
   drawPath(c, lane, at)
-  c.fillStyle = colours.kick
-  for (const kick of lane.kicks) {
-    c.beginPath()
-    c.arc(...at(...kick), Math.max(2.5, unit / 9), 0, 2 * Math.PI)
-    c.fill()
-  }
+  for (const kick of lane.kicks) drawKick(c, at(...kick.at), lane.moments.length - 1 - kick.moment, unit)
   drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, colours.riders[lane.side.ghosts ? 0 : 1])
   c.restore()
+  const text = Math.max(12, Math.min(17, place.height / 6))
+  const line = part === whole ? place.y + 10 : floor + (thick - text) / 2 // from near it is written on the floor
+  c.textBaseline = 'top'
+  c.textAlign = 'left'
+  c.fillStyle = colours.ink
+  c.font = `600 ${text}px ${font}`
+  const title = lane.side.ghosts ? 'With ghost vertices' : 'Without ghost vertices'
+  c.fillText(title, 14, line)
+  const left = 24 + c.measureText(title).width
+  if (lane.time !== null) {
+    c.font = `650 ${part === whole ? text * 1.5 : text}px ${font}`
+    c.textAlign = 'right'
+    c.fillText(`${lane.time.toFixed(2)} s`, place.width - 14, part === whole ? line - 4 : line)
+  }
+  const kicks = lane.side.kicks.count
+  c.font = `${text}px ${font}`
+  c.textAlign = 'left'
+  c.fillStyle = kicks > 0 && part === whole ? colours.kick : colours.ink
+  c.fillText(`${kicks} kicks`, left, line)
+}
+
+// A ring opens where a kick happens, and a dot stays.
+function drawKick(c: CanvasRenderingContext2D, [x, y]: [number, number], age: number, unit: number): void {
+  const radius = Math.max(2.5, Math.min(5, unit / 9))
+  c.fillStyle = c.strokeStyle = theme().kick
+  c.beginPath()
+  c.arc(x, y, radius, 0, 2 * Math.PI)
+  c.fill()
+  if (age > flashes || wantsCalm()) return
+  c.lineWidth = 4 * (1 - age / flashes)
+  c.beginPath()
+  c.arc(x, y, radius * (1 + 4 * Math.sqrt(age / flashes)), 0, 2 * Math.PI)
+  c.stroke()
 }
 
 function drawFlag(c: CanvasRenderingContext2D, [x, y]: [number, number], unit: number): void {
@@ -138,7 +159,7 @@ function drawWheel(c: CanvasRenderingContext2D, { x, y, angle }: Moment, at: (x:
 // Speed over distance: below each place of the track is how fast the wheels were there.
 function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void {
   const colours = theme()
-  const unit = unitOf(place)
+  const unit = unitOf(place, whole)
   const [top, low] = [place.y + 34, place.y + place.height - 16]
   const at = ({ x, vx }: Moment): [number, number] => [12 + (x + 0.5) * unit, low - ((low - top) * (vx - 3)) / (start.speed - 3)]
   c.strokeStyle = colours.grid

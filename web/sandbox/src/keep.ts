@@ -1,0 +1,27 @@
+// What the browser keeps of a visit: the ground, and that one has dug. It may keep nothing, and say so by throwing.
+const ground = 'localgridseg-sandbox'
+const welcomed = 'localgridseg-welcomed'
+const most = 1_000_000 // characters
+
+function held(name: string): string | null {
+  try {
+    return localStorage.getItem(name)
+  } catch {
+    return null
+  }
+}
+
+function hold(name: string, text: string | null): void {
+  try {
+    if (text === null) localStorage.removeItem(name)
+    else localStorage.setItem(name, text)
+  } catch {
+    // then it is not there the next time
+  }
+}
+
+export const keptGround = () => held(ground)
+export const forgetGround = () => hold(ground, null)
+export const keepGround = (text: string) => hold(ground, text.length < most ? text : null)
+export const wasWelcomed = () => held(welcomed) !== null
+export const noteWelcome = () => hold(welcomed, 'yes')
