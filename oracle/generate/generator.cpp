@@ -132,6 +132,10 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
     habits.memory = random.chance(isAtCorner ? 60 : 20) && !options.inMemory ? 1 + random.below(5) : 0;
     habits.stroke = options.brushes ? 10 : 0;
+    const int mostly = random.below(10);  // some cases do little else than move in time, or in memory, or are refused
+    if (mostly == 0) habits.travel = 40;
+    if (mostly == 1 && !options.inMemory) habits.memory = 40;
+    if (mostly == 2) habits.refused = 40;
   }
   habits.strokes.blocks = habits.blocks;
   habits.strokes.can = options.can;

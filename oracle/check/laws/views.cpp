@@ -55,8 +55,9 @@ class ViewsLaw : public Law {
     if (!seen.trace.preserve.empty() && !seen.model().isWhole())
       return std::nullopt;  // then they count squares as solid
     const World& world = seen.world();
-    views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor), Pieces(world),
-                            PieceCheck(), GroundHashes(world)});
+    const std::size_t most = seen.trace.preserve.empty() ? 4 : 8;  // small ones come to their limit
+    views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor),
+                            Pieces(world, {most}), PieceCheck(), GroundHashes(world)});
     const Islands& islands = views_->islands;
     auto wrong = streams_ ? said(views_->beyondCheck.begin(world, ground(seen), islands))
                           : views_->islandCheck.begin(world, islands);
