@@ -49,7 +49,11 @@ class Crowder {
     Model model;
     makeInForms(edits_, model, random_, [&](Call call) { trace.calls.push_back(std::move(call)); });
     for (int k = 0; k < 4 && of == Crowd::strokes; ++k) trace.calls.push_back(cut());
-    if (of == Crowd::strokes) trace.calls.insert(trace.calls.end(), {comb(), lattice()});
+    if (of == Crowd::strokes) {
+      cell_.i -= 1;  // with hardly anything in it
+      const Call speck = Call::add("speck", {cell_, 1, {{0, 0}, {300, 0}, {0, 300}}});
+      trace.calls.insert(trace.calls.end(), {speck, comb(), lattice()});
+    }
     trace.mayRefuse = true;
     return trace;
   }
@@ -100,7 +104,7 @@ class Crowder {
                           .rings = {{left, right, {right.x, right.y + 100}, {left.x, left.y + 100}}}});
   }
 
-  // Strokes that must be refused. The first has one edge more than a region may have in a cell.
+  // Strokes that must be refused for themselves. The first has one edge more than a region may have in a cell.
   Call comb() {
     BrushEdit brush{.rings = {{}}};
     for (std::int32_t k = 0; k <= static_cast<std::int32_t>(kMaxRegionEdgesPerCell); ++k)

@@ -135,7 +135,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     const int mostly = random.below(10);  // some cases do little else than move in time, or in memory, or are refused
     if (mostly == 0) habits.travel = 40;
     if (mostly == 1 && !options.inMemory) habits.memory = 40;
-    if (mostly == 2) habits.refused = 40;
+    if (mostly == 2) habits.refused = 20;
   }
   habits.strokes.blocks = habits.blocks;
   habits.strokes.can = options.can;

@@ -143,6 +143,7 @@ class Painter {
     const bool isCarved = random_.chance(45);  // mostly with the triangle: then nothing may be left of it
     BrushEdit brush{.deed = isCarved ? BrushEdit::Deed::carve : BrushEdit::Deed::fill, .rings = {}};
     if (!isCarved) brush.block = any();
+    brush.isEvenOdd = random_.chance(50);
     const std::int64_t far = between(1, 30) * (random_.chance(isCarved ? 40 : 80) ? 1 : -1);
     for (const std::size_t first : {0U, 2U})
       brush.rings.push_back({ends[first], ends[first + 1], near({a.x + d.y * far, a.y - d.x * far}, kMost)});

@@ -30,6 +30,7 @@ namespace lgs::oracle::laws {
   law(twins,     library)  /* 4, 5: moved, turned, mirrored, cut */                                 \
   law(past,      library)  /* 12, 7: what was undone, or refused, has left no trace */              \
   law(memory,    library)  /* what goes leaves nothing */                                           \
+  law(bytes,     library)  /* 7: bytes that are damaged, or of ill will */                         \
   law(history,   any)      /* 4: how it came about does not matter; the last, as it begins anew */
 // clang-format on
 
