@@ -44,16 +44,15 @@ class ViewsLaw : public Law {
   }
 
   Found afterTravel(Seen& seen) override {
-    const bool hasSquares = !seen.trace.preserve.empty() && !seen.model().isWhole();
-    if (seen.isPending() || hasSquares) views_.reset();  // what follows from the outline of then is not the polygons'
+    if (seen.isPending()) views_.reset();  // what follows from the outline of then is not the polygons'
+    lookAway(seen);
     return isAsked_ && views_ ? look(seen) : std::nullopt;
   }
 
   Found afterCommit(Seen& seen) override {
     if (!isAsked_) return std::nullopt;
     if (views_) return look(seen);
-    if (!seen.trace.preserve.empty() && !seen.model().isWhole())
-      return std::nullopt;  // then they count squares as solid
+    lookAway(seen);
     const World& world = seen.world();
     const std::size_t most = seen.trace.preserve.empty() ? 4 : 8;  // small ones come to their limit
     views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor),
@@ -74,8 +73,24 @@ class ViewsLaw : public Law {
     for (const Cell chunk : seen.model().chunksAway()) corners.insert(Model::cellsOfChunk(chunk).min);
     return corners;
   }
+
+  // Under a preserve relation a view that begins, or that a roll-back moves, knows nothing of unloaded ground: it is solid.
+  void lookAway(const Seen& seen) {
+    if (!seen.trace.preserve.empty()) unknown_ = chunksAway(seen);
+  }
+
   WholeGround ground(const Seen& seen) {
-    return {seen.scene().polygons, chunksAway(seen), std::exchange(forgotten_, {})};
+    WholeGround all{seen.scene().polygons, chunksAway(seen), std::exchange(forgotten_, {})};
+    std::erase_if(unknown_, [&](Cell chunk) { return !all.away.contains(chunk); });
+    const auto isUnknown = [&](Cell cell) { return unknown_.contains({cell.i & ~31, cell.j & ~31}); };
+    std::erase_if(all.polygons, [&](const ScenePolygon& p) { return isUnknown(p.cell); });
+    CellSet near;
+    for (const ScenePolygon& p : all.polygons) near.insert(p.cell);
+    near = around(near);
+    near.insert(unknown_.begin(), unknown_.end());
+    for (const Cell cell : near)
+      if (isUnknown(cell)) all.polygons.push_back({cell, 0, {kUnitSquare.begin(), kUnitSquare.end()}});
+    return all;
   }
 
   static bool begins(Seen& seen) { return seen.world().followCells(true).has_value(); }
@@ -103,6 +118,7 @@ class ViewsLaw : public Law {
   bool streams_ = false;  // chunks may leave memory
   bool isAsked_ = false;
   std::set<Cell> away_, forgotten_;  // chunks before the last call; those that were forgotten since the last look
+  std::set<Cell> unknown_;           // those that are away, and solid for all that the views know
   std::optional<Followed> views_;
 };
 
