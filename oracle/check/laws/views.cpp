@@ -80,15 +80,17 @@ class ViewsLaw : public Law {
   }
 
   WholeGround ground(const Seen& seen) {
-    WholeGround all{seen.scene().polygons, chunksAway(seen), std::exchange(forgotten_, {})};
+    WholeGround all{{}, chunksAway(seen), std::exchange(forgotten_, {})};
     std::erase_if(unknown_, [&](Cell chunk) { return !all.away.contains(chunk); });
     const auto isUnknown = [&](Cell cell) { return unknown_.contains({cell.i & ~31, cell.j & ~31}); };
-    std::erase_if(all.polygons, [&](const ScenePolygon& p) { return isUnknown(p.cell); });
-    CellSet near;
-    for (const ScenePolygon& p : all.polygons) near.insert(p.cell);
-    near = around(near);
-    near.insert(unknown_.begin(), unknown_.end());
-    for (const Cell cell : near)
+    const Scene scene = seen.scene();
+    CellSet cells = unknown_;
+    for (const ScenePolygon& p : scene.polygons) {
+      if (isUnknown(p.cell)) continue;
+      all.polygons.push_back(p);
+      cells.insert(p.cell);
+    }
+    for (const Cell cell : around(cells))
       if (isUnknown(cell)) all.polygons.push_back({cell, 0, {kUnitSquare.begin(), kUnitSquare.end()}});
     return all;
   }
