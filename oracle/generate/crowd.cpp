@@ -49,6 +49,11 @@ class Crowder {
     Model model;
     makeInForms(edits_, model, random_, [&](Call call) { trace.calls.push_back(std::move(call)); });
     for (int k = 0; k < 4 && of == Crowd::strokes; ++k) trace.calls.push_back(cut());
+    if (of == Crowd::strokes) {
+      cell_.i -= 1;  // with hardly anything in it
+      const Call speck = Call::add("speck", {cell_, 1, {{0, 0}, {300, 0}, {0, 300}}});
+      trace.calls.insert(trace.calls.end(), {speck, comb(), lattice()});
+    }
     trace.mayRefuse = true;
     return trace;
   }
@@ -97,6 +102,27 @@ class Crowder {
     return Call::byBrush({.deed = random_.chance(50) ? BrushEdit::Deed::carve : BrushEdit::Deed::replace,
                           .block = 1,
                           .rings = {{left, right, {right.x, right.y + 100}, {left.x, left.y + 100}}}});
+  }
+
+  // Strokes that must be refused for themselves. The first has one edge more than a region may have in a cell.
+  Call comb() {
+    BrushEdit brush{.rings = {{}}};
+    for (std::int32_t k = 0; k <= static_cast<std::int32_t>(kMaxRegionEdgesPerCell); ++k)
+      brush.rings[0].push_back(toWorld(cell_, {1'000 + 12 * (k / 2) + k % 2 * 6, k % 2 == 0 ? 1'000 : 60'000}));
+    return Call::byBrush(std::move(brush));
+  }
+
+  // Edges of the second cross more often than they may there: 200 that lie almost flat, and 200 that stand.
+  Call lattice() {
+    BrushEdit brush;
+    for (std::int32_t k = 1; k <= 100; ++k) {
+      const std::int32_t at = 600 * k;
+      brush.rings.push_back(
+          {toWorld(cell_, {500, at}), toWorld(cell_, {65'000, at + 3}), toWorld(cell_, {65'000, at + 100})});
+      brush.rings.push_back(
+          {toWorld(cell_, {at, 500}), toWorld(cell_, {at + 100, 65'000}), toWorld(cell_, {at + 3, 65'000})});
+    }
+    return Call::byBrush(std::move(brush));
   }
 
   // Commits, removes a polygon, or adds one where there is one already.

@@ -185,7 +185,7 @@ void Editor::tryRefused(Cell cell) {
   if (near_.in(cell).empty()) return place(cell);
   const Standing::Placed pattern = random_.pick(near_.in(cell));
   LocalPolygon polygon = pattern.vertices;  // as it is: overlaps itself
-  const int kind = random_.below(11);
+  const int kind = random_.below(12);
   if (kind == 0) polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
   if (kind == 1) polygon = random_.pick(random_.pick(habits_.shapes));
   const bool isSpoilt = kind > 2;
@@ -193,6 +193,9 @@ void Editor::tryRefused(Cell cell) {
     const std::size_t k = random_.below(polygon.size()), next = (k + 1) % polygon.size();
     const LocalPoint a = polygon[k], b = polygon[next];
     polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(next + 1), {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  } else if (kind == 11) {  // any ring at all
+    polygon.clear();
+    for (int k = 4 + random_.below(9); k > 0; --k) polygon.push_back(randomPoint());
   } else if (isSpoilt) {
     polygon = spoilt(random_, std::move(polygon));
   }

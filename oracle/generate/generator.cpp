@@ -104,7 +104,11 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   const auto height =
       static_cast<std::int32_t>(std::min<std::int64_t>(isLow ? std::min(options.height, 3) : options.height, most));
   Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
-  const bool isAtCorner = options.isOfCalls && random.chance(40);
+  // Some cases do little else than move in time, or in memory, or are refused.
+  enum { time, memory, memoryToo, refusal };
+  const int mostly = options.isOfCalls ? random.below(10) : -1;
+  const bool isOfMemory = !options.inMemory && (mostly == memory || mostly == memoryToo);
+  const bool isAtCorner = options.isOfCalls && (isOfMemory || random.chance(40));
   if (isAtCorner)  // of four chunks, which may leave memory
     origin = {32 * (random.below(5) - 2) - width / 2, 32 * (random.below(5) - 2) - height / 2};
   origin = {within(options.can.cells, width, origin.i), within(options.can.cells, height, origin.j)};
@@ -132,6 +136,9 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
     habits.memory = random.chance(isAtCorner ? 60 : 20) && !options.inMemory ? 1 + random.below(5) : 0;
     habits.stroke = options.brushes ? 10 : 0;
+    if (mostly == time || isOfMemory) habits.travel = isOfMemory ? 10 : 40;
+    if (isOfMemory) habits.memory = 25;
+    if (mostly == refusal) habits.refused = 12;
   }
   habits.strokes.blocks = habits.blocks;
   habits.strokes.can = options.can;

@@ -60,7 +60,8 @@ class Painter {
     return crossingRings(habits_.tight ? *habits_.tight : tightAt(place(), random_), random_);
   }
 
-  /// Full cells are carved and filled again, or get another block, some as a whole: that leaves no seam (law 10).
+  /// Full cells are carved and filled again, or get another block, some as a whole: that leaves no seam (law 10). Where
+  /// they have several blocks, one may stay.
   std::vector<Call> onSolidGround() {
     Call gone = Call::of(Call::Kind::clear), many = Call::of(Call::Kind::addMany);
     gone.cells = {{cell_.i - 1, cell_.j - 1}, {cell_.i + 1, cell_.j + 1}};
@@ -92,8 +93,9 @@ class Painter {
       BrushEdit brush{.deed = BrushEdit::Deed::carve, .rings = inside()};
       if (isOneBlock) calls.push_back(Call::byBrush(brush));
       if (random_.chance(30)) brush.rings = inside();
-      brush.deed = isOneBlock || random_.chance(40) ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
-      brush.block = isOneBlock ? block : any();
+      if (!isOneBlock && random_.chance(50)) brush.staying = {any()};
+      brush.deed = isOneBlock ? BrushEdit::Deed::fill : anyDeed(random_);
+      if (brush.deed != BrushEdit::Deed::carve) brush.block = isOneBlock ? block : any();
       calls.push_back(Call::byBrush(std::move(brush)));
     }
     return calls;
@@ -138,9 +140,11 @@ class Painter {
       const auto crossing = crossingOf(ends);
       if (crossing && isLeft(a, b, *crossing) && isLeft(b, c, *crossing) && isLeft(c, a, *crossing)) break;
     }
-    BrushEdit brush{.deed = random_.chance(70) ? BrushEdit::Deed::fill : BrushEdit::Deed::carve, .rings = {}};
-    if (brush.deed == BrushEdit::Deed::fill) brush.block = any();
-    const std::int64_t far = between(1, 30) * (random_.chance(80) ? 1 : -1);
+    const bool isCarved = random_.chance(45);  // mostly with the triangle: then nothing may be left of it
+    BrushEdit brush{.deed = isCarved ? BrushEdit::Deed::carve : BrushEdit::Deed::fill, .rings = {}};
+    if (!isCarved) brush.block = any();
+    brush.isEvenOdd = random_.chance(50);
+    const std::int64_t far = between(1, 30) * (random_.chance(isCarved ? 40 : 80) ? 1 : -1);
     for (const std::size_t first : {0U, 2U})
       brush.rings.push_back({ends[first], ends[first + 1], near({a.x + d.y * far, a.y - d.x * far}, kMost)});
     return {std::move(gone), std::move(many), Call::byBrush(std::move(brush))};

@@ -98,8 +98,8 @@ void Editor::travel(Cell cell) {
         someEdits(2);
         if (random_.chance(70)) time(commit);
       }
-      time(goBack, nth, true);
-      if (random_.chance(40)) {  // what is ahead stays, or goes
+      time(goBack, random_.chance(50) ? nth : static_cast<std::uint32_t>(model_.marks()) - 1, true);
+      if (random_.chance(60)) {  // what is ahead stays, or goes
         const bool goesOn = random_.chance(50);
         time(goBack, random_.below(8U), goesOn);
       }

@@ -1,11 +1,15 @@
 // Whether a call must be accepted, and else why not.
 #include "oracle/reference/validity.h"
+#include "oracle/reference/vector.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
+#include <lgs/brush.h>
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace lgs::oracle {
 
@@ -33,6 +37,25 @@ bool mayBeTooMuch(const BrushEdit& brush, const Standing& standing) {
   }
   constexpr std::size_t kOfRim = 8;
   return edges * edges / 2 + edges * there + 3 * edges + there + kOfRim > kMaxPolygonsPerCell;
+}
+
+// Whether a region has more edges in one cell than it may, or in one with ground more crossings of its edges.
+bool isTooMuch(const BrushEdit& brush, const Standing& standing) {
+  const CellRect cells = cellsUnder(brush);
+  if (cells.min != cells.max) return false;
+  std::vector<std::pair<Point, Point>> edges;
+  for (const std::vector<Point>& ring : brush.rings)
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      if (const Point a = ring[k], b = ring[(k + 1) % ring.size()]; a != b) edges.emplace_back(a, b);
+  if (edges.size() > kMaxRegionEdgesPerCell) return true;
+  const auto parts = [](Point a, Point b, Point p, Point q) {
+    const std::int64_t one = cross(b - a, p - a), other = cross(b - a, q - a);
+    return (one < 0 && other > 0) || (one > 0 && other < 0);
+  };
+  std::size_t crossings = 0;
+  for (const auto& [a, b] : edges)
+    for (const auto& [c, d] : edges) crossings += parts(a, b, c, d) && parts(c, d, a, b) ? 1 : 0;  // each twice
+  return crossings > 2 * kMaxCrossingsPerCell && !standing.in(cells.min).empty();
 }
 
 }  // namespace
@@ -190,6 +213,7 @@ Verdict Model::judgeParts(const Call& call) const {
     case Kind::brush:  // which cells it reaches is not known beforehand, nor whether a cell is full if much comes
       if (isOutOfReach(call.brush)) return {false, ErrorCode::outOfReach};
       if (firstAway(cellsUnder(call.brush))) return {.code = ErrorCode::unloaded, .isOpen = true};
+      if (isTooMuch(call.brush, standing())) return {false, ErrorCode::capacity, cellsUnder(call.brush).min};
       if (mayBeTooMuch(call.brush, standing())) return {.code = ErrorCode::capacity, .isOpen = true};
       return {};
     default:

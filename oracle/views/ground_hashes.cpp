@@ -86,7 +86,11 @@ std::optional<std::string> faultOf(const GroundHashes& hashes, const World& worl
     if (chunks.empty()) return {};
     const HashedSquare& one = chunks[chunks.size() / 2];
     const bool isThat = std::ranges::equal(hashes.hashes(one.cells), std::span(&one, 1));
-    return isThat ? std::nullopt : std::optional<std::string>("of the cells of a chunk there are other hashes");
+    if (!isThat) return "of the cells of a chunk there are other hashes";
+    int level = 0;
+    while (groundHashes(world, level).size() > 1) ++level;
+    if (hashes.whole() != groundHashes(world, level)[0]) return "the least square with all ground is another one";
+    return {};
   }
   const Cell at = (right == chunks.end() ? *wrong : *right).cells.min;
   return fmt::format("the hash of the chunk from cell ({}, {}) on is not that of its polygons", at.i, at.j);

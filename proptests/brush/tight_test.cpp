@@ -82,33 +82,6 @@ TEST(BrushTight, AnEdgeThatMayNotBeLeftStraight) {
   EXPECT_EQ(farFromExact(before, edit, bareScene(world)), std::nullopt);
 }
 
-// Two edges of the region cross half a unit below a polygon's edge, between its ends. The pixel's centre is inside the
-// polygon, and chains come to it through the polygon's vertices. So they cross no edge, and still paint may not go
-// there.
-TEST(BrushTight, AChainThatEntersAtAVertex) {
-  World world;
-  ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
-  const auto result = must(stroke(world, {Deed::fill,
-                                          1,
-                                          {{{5000 - 475, 5000 - 24}, {5500, 4000}, {5000 + 1525, 5000 + 77}},
-                                           {{5000 - 404, 5000 - 20}, {5500, 4000}, {5000 + 1596, 5000 + 79}}},
-                                          false}));
-  EXPECT_EQ(result.rounded.size(), 1U);
-}
-
-// The same edges, with the region on their other side. The polygon is inside of it, and nothing of it may be left
-// between its lowest edge and the chains.
-TEST(BrushTight, AnEdgeBetweenTheRegionAndItsChains) {
-  World world;
-  ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
-  must(stroke(world, {Deed::carve,
-                      1,
-                      {{{5000 - 475, 5000 - 24}, {5000 + 1525, 5000 + 77}, {5010, 6000}},
-                       {{5000 - 404, 5000 - 20}, {5000 + 1596, 5000 + 79}, {5010, 6000}}},
-                      false}));
-  EXPECT_TRUE(world.isEmpty({0, 0}));
-}
-
 // An edge of the ground lies on that of the region, which goes through another vertex of the region beside it. On
 // either side, the triangle between must go.
 TEST(BrushTight, AnEdgeOnThatOfTheRegion) {

@@ -21,6 +21,7 @@ class Finished:
         self.build_folder, self.folder = build.resolve(), FOLDER / f"finished{number}"
         self.tree = self.folder / "tree"
         self.planted = ""
+        shutil.rmtree(self.folder / "made", ignore_errors=True)  # of a run that was killed
         for room in ROOMS:
             shutil.rmtree(self.tree / room, ignore_errors=True)
             shutil.copytree(ROOT / room, self.tree / room)

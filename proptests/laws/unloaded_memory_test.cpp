@@ -106,24 +106,5 @@ TEST(UnloadedByHand, CommitsUnderAMarkDoNotAddUp) {
   EXPECT_TRUE(world.forget(mark));
 }
 
-TEST(UnloadedByHand, WhatABorderHeldIsForgotten) {
-  World world;
-  Shelf shelf;
-  for (std::int32_t round = 0; round < 80; ++round) {
-    for (std::int32_t i = 0; i < 32; ++i) place(world, {i, 0}, {{0, 0}, {1 + 32 * round + i, 0}, {0, 1}});
-    world.commit();
-    EXPECT_EQ(world.unload(kEverywhere, shelf.sink()), 1U);
-    world.commit();
-    if (round % 2 == 0) {
-      EXPECT_TRUE(shelf.reload(world, {0, 0}));
-      EXPECT_EQ(world.clear(chunkAt(0, 0)), 32U);
-      world.commit();
-    } else {
-      EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
-    }
-  }
-  EXPECT_LT(world.stats().contents, 1'200U) << "of 2,560 that there were";
-}
-
 }  // namespace
 }  // namespace lgs::test

@@ -9,6 +9,14 @@
 namespace lgs::oracle::laws {
 
 // clang-format off
+#ifdef __wasm__  // the web's modules have no room for these
+#define LGS_LAWS_OF_BYTES(law)
+#else
+#define LGS_LAWS_OF_BYTES(law)                                                                      \
+  law(memory,    library)  /* what goes leaves nothing */                                           \
+  law(bytes,     library)  /* 7: bytes that are damaged, or of ill will */
+#endif
+
 #define LGS_LAWS(law)                                                                               \
   law(refusals,  library)  /* 7: what is refused changes nothing */                                 \
   law(handles,   library)  /* a handle of what is gone names nothing */                             \
@@ -29,7 +37,7 @@ namespace lgs::oracle::laws {
   law(questions, library)  /* what is asked about places is answered as the slow way answers it */  \
   law(twins,     library)  /* 4, 5: moved, turned, mirrored, cut */                                 \
   law(past,      library)  /* 12, 7: what was undone, or refused, has left no trace */              \
-  law(memory,    library)  /* what goes leaves nothing */                                           \
+  LGS_LAWS_OF_BYTES(law)                                                                            \
   law(history,   any)      /* 4: how it came about does not matter; the last, as it begins anew */
 // clang-format on
 

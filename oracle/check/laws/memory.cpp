@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace lgs::oracle {
 namespace {
@@ -66,8 +67,8 @@ std::string wrongMemory(const Player& player, bool isLong) {
   return "";
 }
 
-// As many other polygons each time: they read as they were placed, and of those before them nothing is left. What is not
-// used any more is looked for once there are 1,024 of it.
+// As many other polygons each time: they read as they were placed, leave memory, come back or are forgotten, and of those
+// before them nothing is left. What is not used any more is looked for once there are 1,024 of it, by a commit, too.
 std::string wrongContents() {
   constexpr std::int32_t kSide = 36, kEach = kSide * kSide, kRounds = 4;
   constexpr CellRect kCells{{0, 0}, {kSide - 1, kSide - 1}};
@@ -85,11 +86,19 @@ std::string wrongContents() {
         return "of many polygons that came after others one is not as it was placed";
     }
     world.commit();
+    std::vector<std::vector<std::byte>> away;
+    const auto keep = [&](Cell, std::span<const std::byte> bytes) { away.emplace_back(bytes.begin(), bytes.end()); };
+    if (!world.unload(kEverywhere, keep)) return "not all can leave memory";
+    world.commit();
+    if (round % 2 == 0 && !world.forgetChunks(kEverywhere)) return "what has left memory can not be forgotten";
+    for (const auto& bytes : away)
+      if (round % 2 != 0 && !world.reload(bytes)) return "what has left memory does not come back";
     if (!world.clear(kCells)) return "what stands can not be taken away";
     world.commit();
     if (round == kFirst) first = world.stats().bytes;
   }
   const std::uint64_t last = world.stats().bytes;
+  if (!world.add({}, kUnitSquare, 1) || world.stats().bytes < last) return "a commit keeps what is not used any more";
   return last <= first ? ""
                        : fmt::format("emptied, a world holds {} bytes after {} polygons, and {} after {}", first,
                                      kFirst * kEach, last, kRounds * kEach);

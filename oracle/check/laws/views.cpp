@@ -44,19 +44,19 @@ class ViewsLaw : public Law {
   }
 
   Found afterTravel(Seen& seen) override {
-    const bool hasSquares = !seen.trace.preserve.empty() && !seen.model().isWhole();
-    if (seen.isPending() || hasSquares) views_.reset();  // what follows from the outline of then is not the polygons'
+    if (seen.isPending()) views_.reset();  // what follows from the outline of then is not the polygons'
+    lookAway(seen);
     return isAsked_ && views_ ? look(seen) : std::nullopt;
   }
 
   Found afterCommit(Seen& seen) override {
     if (!isAsked_) return std::nullopt;
     if (views_) return look(seen);
-    if (!seen.trace.preserve.empty() && !seen.model().isWhole())
-      return std::nullopt;  // then they count squares as solid
+    lookAway(seen);
     const World& world = seen.world();
-    views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor), Pieces(world),
-                            PieceCheck(), GroundHashes(world)});
+    const std::size_t most = seen.trace.preserve.empty() ? 4 : 8;  // small ones come to their limit
+    views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor),
+                            Pieces(world, {most}), PieceCheck(), GroundHashes(world)});
     const Islands& islands = views_->islands;
     auto wrong = streams_ ? said(views_->beyondCheck.begin(world, ground(seen), islands))
                           : views_->islandCheck.begin(world, islands);
@@ -73,8 +73,26 @@ class ViewsLaw : public Law {
     for (const Cell chunk : seen.model().chunksAway()) corners.insert(Model::cellsOfChunk(chunk).min);
     return corners;
   }
+
+  // Under a preserve relation a view that begins, or that a roll-back moves, knows nothing of unloaded ground: it is solid.
+  void lookAway(const Seen& seen) {
+    if (!seen.trace.preserve.empty()) unknown_ = chunksAway(seen);
+  }
+
   WholeGround ground(const Seen& seen) {
-    return {seen.scene().polygons, chunksAway(seen), std::exchange(forgotten_, {})};
+    WholeGround all{{}, chunksAway(seen), std::exchange(forgotten_, {})};
+    std::erase_if(unknown_, [&](Cell chunk) { return !all.away.contains(chunk); });
+    const auto isUnknown = [&](Cell cell) { return unknown_.contains({cell.i & ~31, cell.j & ~31}); };
+    const Scene scene = seen.scene();
+    CellSet cells = unknown_;
+    for (const ScenePolygon& p : scene.polygons) {
+      if (isUnknown(p.cell)) continue;
+      all.polygons.push_back(p);
+      cells.insert(p.cell);
+    }
+    for (const Cell cell : around(cells))
+      if (isUnknown(cell)) all.polygons.push_back({cell, 0, {kUnitSquare.begin(), kUnitSquare.end()}});
+    return all;
   }
 
   static bool begins(Seen& seen) { return seen.world().followCells(true).has_value(); }
@@ -102,6 +120,7 @@ class ViewsLaw : public Law {
   bool streams_ = false;  // chunks may leave memory
   bool isAsked_ = false;
   std::set<Cell> away_, forgotten_;  // chunks before the last call; those that were forgotten since the last look
+  std::set<Cell> unknown_;           // those that are away, and solid for all that the views know
   std::optional<Followed> views_;
 };
 
