@@ -58,7 +58,8 @@ class GroundGame {
     if (what < 30) {
       stroke([&] { return ground_->dig(circle(somewhere(), (1 + random_.below(5)) * kUnitsPerCell / 2, 12)); });
     } else if (what < 40) {
-      stroke([&] { return ground_->paint(circle(somewhere(), (1 + random_.below(3)) * kUnitsPerCell / 2, 12), kEarth); });
+      stroke(
+          [&] { return ground_->paint(circle(somewhere(), (1 + random_.below(3)) * kUnitsPerCell / 2, 12), kEarth); });
     } else if (what < 50) {
       goTo(now_ - 1, ground_->undo());
     } else if (what < 57) {
@@ -159,7 +160,8 @@ class GroundGame {
       crowd_.destroy(which);
       watched_.erase(watched_.begin() + static_cast<std::ptrdiff_t>(which));
     }
-    const Point at = toWorld({at_ + random_.below(40) - 20, 2 + random_.below(16)}, {kUnitsPerCell / 2, kUnitsPerCell / 2});
+    const Point at =
+        toWorld({at_ + random_.below(40) - 20, 2 + random_.below(16)}, {kUnitsPerCell / 2, kUnitsPerCell / 2});
     if (crowd_.bodies.size() > 6 || ground_->world().at(at).where != Spot::Where::outside) return;
     const Body body = crowd_.add(random_.chance(50) ? Figure::circle : Figure::box, 0.6F, terrain().position(at));
     Watched& watched = watched_.emplace_back();
