@@ -38,13 +38,14 @@ class Digger {
  public:
   explicit Digger(std::uint32_t seed)
       : seed_(seed),
-        ground_({.isAnchor = [](lgs::Block block, lgs::Cell) { return isBedrock(block); },
-                 .staying = isBedrock,
-                 .land = hills,
-                 .undoSteps = 20,
-                 .follow = [this](const lgs::World&, const lgs::Changes& changes) { server_ ? tell(changes) : void(); }},
-                physics_.world(), lgs::box2d::TerrainOptions{.cellSize = kMetres, .merge = true},
-                lgs::box2d::FallingOptions{.density = [](lgs::Block b) { return b == kStone ? 2.5F : 1.5F; }}) {
+        ground_(
+            {.isAnchor = [](lgs::Block block, lgs::Cell) { return isBedrock(block); },
+             .staying = isBedrock,
+             .land = hills,
+             .undoSteps = 20,
+             .follow = [this](const lgs::World&, const lgs::Changes& changes) { server_ ? tell(changes) : void(); }},
+            physics_.world(), lgs::box2d::TerrainOptions{.cellSize = kMetres, .merge = true},
+            lgs::box2d::FallingOptions{.density = [](lgs::Block b) { return b == kStone ? 2.5F : 1.5F; }}) {
     connect();
     ground_.window(around(0));
     for (int k = 0; k < kBalls; ++k) physics_.addBall({(k - kBalls / 2) * 1.3, 34 * kMetres});

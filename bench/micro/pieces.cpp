@@ -58,9 +58,7 @@ void editWithPieces(benchmark::State& state, const Tiles& tiles, std::size_t edi
     for (std::size_t k = 0; k < edits; ++k) {
       const Cell cell = tiles.cell(random() % tiles.size());
       digAndRefill(plain, cell, alone, [&] { plain.commit(); });
-      digAndRefill(world, cell, with, [&] {
-        benchmark::DoNotOptimize(pieces.update(world, world.commit()));
-      });
+      digAndRefill(world, cell, with, [&] { benchmark::DoNotOptimize(pieces.update(world, world.commit())); });
       if (k % 20 == 0) anew.add(timeOf([&] { benchmark::DoNotOptimize(Pieces(chunk).stats().cells); }));
     }
   }

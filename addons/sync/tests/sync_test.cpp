@@ -230,9 +230,7 @@ TEST(SyncByHand, WhatIsUnloadedIsNotGone) {
   World ours = rampsOf(60), theirs = ours;
   const World whole = ours;
   Talk talk(ours, theirs);
-  const auto tell = [&] {
-    talk.hear(talk.server.update(ours.commit()));
-  };
+  const auto tell = [&] { talk.hear(talk.server.update(ours.commit())); };
   std::vector<std::byte> left;
   ASSERT_TRUE(ours.unload({{0, 0}, {31, 31}},
                           [&](Cell, std::span<const std::byte> bytes) { left.assign(bytes.begin(), bytes.end()); }));

@@ -20,7 +20,7 @@ class KnownBodies {
   KnownBodies(const KnownBodies&) = delete;
   KnownBodies& operator=(const KnownBodies&) = delete;
 
-  const std::vector<b2Body*>& all() const { return bodies_; }         ///< some may be gone
+  const std::vector<b2Body*>& all() const { return bodies_; }          ///< some may be gone
   std::size_t ownCount() const { return mark_ == nullptr ? 0U : 1U; }  ///< bodies that this made
 
   /// Not in a step.
