@@ -26,7 +26,8 @@ class Client {
   /// last message; once more if there was no answer, as that may have been lost.
   std::vector<Bytes> tick();
 
-  /// To be called with what the game has committed in the world, say a guess. The server's version will replace it.
+  /// To be called with what the game has committed in the world, say a guess. The server's version will replace it. No
+  /// edit may be pending.
   void update(const lgs::Changes& changes) {
     if (!hashes_.update(world_, changes)) hashes_ = lgs::GroundHashes(world_);  // one was missed
   }

@@ -44,7 +44,9 @@ void Server::beginAgain() {
 
 Bytes Server::update(const lgs::Changes& changes) {
   const bool isMissed = changes.before != version_ || changes.after != world_.version();
-  version_ = world_.version();
+  // After a roll-back edits may be pending, which were read with the rest: so it begins again at the next commit, too.
+  const bool mayHavePending = world_.changesOfRollBack().after == world_.version();
+  version_ = isMissed && mayHavePending ? UINT64_MAX : world_.version();
   if (isMissed) beginAgain();
   const std::vector<lgs::CellChange> edits = isMissed ? std::vector<lgs::CellChange>() : this->edits();
   hashes_.update(edits);

@@ -85,7 +85,9 @@ class Game {
   }
 
   void becomeQuiet() {
-    make(Call());
+    const std::uint64_t before = caller_.world.version();
+    caller_.world.commit();
+    tell(server_.update(changesFrom(before, caller_.world)));  // it sees what it missed
     if (followers_.empty()) followers_.push_back(std::make_unique<Follower>(chance_));
     const auto isEqual = [this](const auto& f) {
       return f->client.isInStep() && samePolygons(f->world, caller_.world);
