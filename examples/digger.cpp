@@ -38,13 +38,14 @@ class Digger {
  public:
   explicit Digger(std::uint32_t seed)
       : seed_(seed),
-        ground_({.isAnchor = [](lgs::Block block, lgs::Cell) { return isBedrock(block); },
-                 .staying = isBedrock,
-                 .land = hills,
-                 .undoSteps = 20,
-                 .follow = [this](const lgs::World&, const lgs::Changes&) { server_ ? tell() : void(); }},
-                physics_.world(), lgs::box2d::TerrainOptions{.cellSize = kMetres, .merge = true},
-                lgs::box2d::FallingOptions{.density = [](lgs::Block b) { return b == kStone ? 2.5F : 1.5F; }}) {
+        ground_(
+            {.isAnchor = [](lgs::Block block, lgs::Cell) { return isBedrock(block); },
+             .staying = isBedrock,
+             .land = hills,
+             .undoSteps = 20,
+             .follow = [this](const lgs::World&, const lgs::Changes& changes) { server_ ? tell(changes) : void(); }},
+            physics_.world(), lgs::box2d::TerrainOptions{.cellSize = kMetres, .merge = true},
+            lgs::box2d::FallingOptions{.density = [](lgs::Block b) { return b == kStone ? 2.5F : 1.5F; }}) {
     connect();
     ground_.window(around(0));
     for (int k = 0; k < kBalls; ++k) physics_.addBall({(k - kBalls / 2) * 1.3, 34 * kMetres});
@@ -104,7 +105,7 @@ class Digger {
     server_.emplace(ground_.world());
     if (theirs_.followCells(true)) client_.emplace(theirs_);
   }
-  void tell() { talk(server_->update()); }
+  void tell(const lgs::Changes& changes) { talk(server_->update(changes)); }
   void tellAll() { talk(server_->signOfLife()); }
   /// What the other end does is not the terrain's part of the frame.
   void talk(const in_step::Bytes& message) {
@@ -156,7 +157,8 @@ class Times {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const int frames = count > 1 ? std::atoi(arguments[1]) : 3'000;
+  const char* const scale = std::getenv("LGS_TEST_SCALE");  // of a long run of the tests it is 1 or more
+  const int frames = count > 1 ? std::atoi(arguments[1]) : scale != nullptr && std::atof(scale) >= 1 ? 30'000 : 3'000;
   Digger digger(count > 2 ? static_cast<std::uint32_t>(std::atoi(arguments[2])) : 1);
   Times times;
   std::uint64_t early = 0, late = 0;  // the most memory of the world in the first and in the last third

@@ -45,10 +45,11 @@ class Following {
 
  private:
   std::string update(const Changes& changes) {
-    if (!views_.islands.update(world_, changes)) return "the views refuse what was committed";
-    views_.hashes.update(world_.cellChanges());
+    if (!views_.islands.update(world_, changes) || !views_.hashes.update(world_, changes) ||
+        !views_.pieces.update(world_, changes))
+      return "the views refuse what was committed";
     auto wrong = islandCheck_.update(world_, views_.islands);
-    if (!wrong) wrong = pieceCheck_.update(world_, views_.pieces, views_.pieces.update(world_.cellChanges()));
+    if (!wrong) wrong = pieceCheck_.update(world_, views_.pieces, views_.pieces.changed());
     if (!wrong) wrong = oracle::faultOf(views_.hashes, world_);
     return wrong.value_or("");
   }

@@ -12,8 +12,7 @@ Client::Client(lgs::World& world) : world_(world), hashes_(world) {}
 /// All of it or nothing.
 void Client::set(const Ground& ground, const lgs::CellRect& cells) {
   if (!setGround(world_, ground, cells)) return;  // the hashes tell that something is missing
-  world_.commit();
-  update();
+  update(world_.commit());
 }
 
 std::vector<Bytes> Client::hear(std::span<const std::byte> message) {

@@ -26,8 +26,11 @@ class Client {
   /// last message; once more if there was no answer, as that may have been lost.
   std::vector<Bytes> tick();
 
-  /// To be called after the game has committed in the world, say a guess. The server's version will replace it.
-  void update() { hashes_.update(world_.cellChanges()); }
+  /// To be called with what the game has committed in the world, say a guess. The server's version will replace it. No
+  /// edit may be pending.
+  void update(const lgs::Changes& changes) {
+    if (!hashes_.update(world_, changes)) hashes_ = lgs::GroundHashes(world_);  // one was missed
+  }
 
   /// Whether the worlds were equal, as of the last message.
   bool isInStep() const { return turn_ != 0 && theirHash_ == hashes_.hash(); }

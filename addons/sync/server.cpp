@@ -6,7 +6,8 @@
 
 namespace in_step {
 
-Server::Server(const lgs::World& world, lgs::GroundHashes hashes) : world_(world), hashes_(std::move(hashes)) {
+Server::Server(const lgs::World& world, lgs::GroundHashes hashes)
+    : world_(world), hashes_(std::move(hashes)), version_(world.version()) {
   for (const lgs::CellRect& chunk : lgs::unloadedChunks(world)) away_.insert(chunk.min);
 }
 
@@ -32,8 +33,22 @@ std::vector<lgs::CellChange> Server::edits() {
   return edits;
 }
 
-Bytes Server::update() {
-  const std::vector<lgs::CellChange> edits = this->edits();
+void Server::beginAgain() {
+  const lgs::GroundHashes told = std::exchange(hashes_, lgs::GroundHashes(world_));
+  away_.clear();
+  for (const lgs::CellRect& chunk : lgs::unloadedChunks(world_)) {
+    away_.insert(chunk.min);
+    for (const lgs::HashedSquare& square : told.hashes({chunk.min, chunk.min})) hashes_.set(chunk.min, square.hash);
+  }
+}
+
+Bytes Server::update(const lgs::Changes& changes) {
+  const bool isMissed = changes.before != version_ || changes.after != world_.version();
+  // After a roll-back edits may be pending, which were read with the rest: so it begins again at the next commit, too.
+  const bool mayHavePending = world_.changesOfRollBack().after == world_.version();
+  version_ = isMissed && mayHavePending ? UINT64_MAX : world_.version();
+  if (isMissed) beginAgain();
+  const std::vector<lgs::CellChange> edits = isMissed ? std::vector<lgs::CellChange>() : this->edits();
   hashes_.update(edits);
   ++turn_;
   const lgs::HashedSquare whole = hashes_.whole();

@@ -21,9 +21,10 @@ class Server {
   /// The same of one that may have unloaded chunks, with the hashes of all its ground, whether loaded or not.
   Server(const lgs::World& world, lgs::GroundHashes hashes);
 
-  /// To be called after each commit, roll-back and roll-forward: returns what to send to all clients. What changed more
-  /// than kMaxCells cells is reported without them: clients find out.
-  Bytes update();
+  /// To be called with what each commit, roll-back and roll-forward changed: returns what to send to all clients. What
+  /// changed more than kMaxCells cells is reported without them: clients find out. So it is if one was missed; then all
+  /// that is loaded is read again, and chunks that are not count as they were reported last.
+  Bytes update(const lgs::Changes& changes);
 
   /// To be sent to all clients now and then: so one that lost the last message learns of it.
   Bytes signOfLife() const;
@@ -36,10 +37,12 @@ class Server {
  private:
   News news(News::Kind kind, const Square& square) const;
   std::vector<lgs::CellChange> edits();
+  void beginAgain();
 
   const lgs::World& world_;
   lgs::GroundHashes hashes_;
   std::set<lgs::Cell> away_;  ///< unloaded chunks, by their lower-left cells
+  std::uint64_t version_;     ///< of the world, as it was told last
   std::uint64_t turn_ = 1;
 };
 

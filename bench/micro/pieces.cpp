@@ -58,10 +58,7 @@ void editWithPieces(benchmark::State& state, const Tiles& tiles, std::size_t edi
     for (std::size_t k = 0; k < edits; ++k) {
       const Cell cell = tiles.cell(random() % tiles.size());
       digAndRefill(plain, cell, alone, [&] { plain.commit(); });
-      digAndRefill(world, cell, with, [&] {
-        world.commit();
-        benchmark::DoNotOptimize(pieces.update(world.cellChanges()).size());
-      });
+      digAndRefill(world, cell, with, [&] { benchmark::DoNotOptimize(pieces.update(world, world.commit())); });
       if (k % 20 == 0) anew.add(timeOf([&] { benchmark::DoNotOptimize(Pieces(chunk).stats().cells); }));
     }
   }
@@ -84,13 +81,14 @@ void carveWithPieces(benchmark::State& state, const Tiles& tiles, std::size_t ed
       const std::int64_t x = coordinate(tiles.width);
       const Region hole = circle({x, coordinate(tiles.height)}, kHole * kUnitsPerCell, 32);
       const Mark mark = world.checkpoint();
+      const Changes* changes = nullptr;
       carved.add(timeOf([&] {
         if (!carve(world, hole)) throw std::logic_error("a hole is refused");
-        world.commit();
+        changes = &world.commit();
       }));
-      updated.add(timeOf([&] { benchmark::DoNotOptimize(pieces.update(world.cellChanges()).size()); }));
-      if (!world.rollBack(mark) || !world.forget(mark)) throw std::logic_error("there is no way back");
-      pieces.update(world.cellChanges());
+      updated.add(timeOf([&] { benchmark::DoNotOptimize(pieces.update(world, *changes)); }));
+      if (!world.rollBack(mark) || !world.forget(mark) || !pieces.update(world, world.changesOfRollBack()))
+        throw std::logic_error("there is no way back");
     }
   }
   putTimes(state, updated);

@@ -28,9 +28,10 @@ struct Miner {
   examples::Way way;
 
   /// After each commit and roll-back.
-  void look(const char* what) {
+  void look(const char* what, const lgs::Changes& changes) {
     const std::uint64_t workedOut = pieces.stats().workedOut;
-    const std::size_t others = pieces.update(world.cellChanges()).size();
+    if (!pieces.update(world, changes)) pieces = lgs::Pieces(world);
+    const std::size_t others = pieces.changed().size();
     const auto found = examples::findWay(pieces, {at(1.5, 8), at(30.5, 8), kCave, lgs::kUnitsPerCell / 4});
     way = found.value_or(examples::Way());
     std::printf("%s: other pieces in %zu cells, %d contents worked out; ", what, others,
@@ -57,13 +58,11 @@ int main(int argc, char** argv) {
     if (const auto done = carve(world, lgs::circle(hall, 2 * lgs::kUnitsPerCell)); !done) return refused(done.error());
   const lgs::Region boulder = lgs::circle(at(20, 4), lgs::kUnitsPerCell * 7 / 10, 16);
   if (const auto done = paint(world, boulder, kRock, lgs::PaintMode::fill); !done) return refused(done.error());
-  world.commit();
-  miner.look("a cave");
+  miner.look("a cave", world.commit());
 
   const lgs::Point hole[]{at(11.5, 11), at(16, 10), at(21.5, 10)};
   if (const auto done = carve(world, lgs::thickLine(hole, wide / 2)); !done) return refused(done.error());
-  world.commit();
-  miner.look("a short cut is dug");
+  miner.look("a short cut is dug", world.commit());
   if (argc > 1) {
     std::ofstream file(argv[1]);
     drawPieces(file, miner.pieces, kCave, miner.way);
@@ -72,9 +71,8 @@ int main(int argc, char** argv) {
   const lgs::Mark mark = world.checkpoint();
   const lgs::Region door = lgs::rectangle(at(24, 11), {0, 1}, 3 * lgs::kUnitsPerCell, lgs::kUnitsPerCell / 8);
   if (const auto done = paint(world, door, kWall, lgs::PaintMode::fill); !done) return refused(done.error());
-  world.commit();
-  miner.look("a wall is built");
+  miner.look("a wall is built", world.commit());
 
   if (const auto done = world.rollBack(mark); !done) return refused(done.error());
-  miner.look("and undone");
+  miner.look("and undone", world.changesOfRollBack());
 }

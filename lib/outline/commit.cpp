@@ -66,7 +66,7 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
   }
   if (ground.preserve)
     for (const SegmentId id : changes_.added) endWithoutLinks(id.value);
-  finish();
+  finish(!ground.changedChunks().empty());
   journal_ = nullptr;
 }
 
@@ -116,8 +116,9 @@ void Outline::endWithoutLinks(std::uint32_t id) {
 }
 
 /// Ids of removed segments become available only here. So no id is in two lists of one update, and the ends of removed
-/// segments can be read while links are compared.
-void Outline::finish() {
+/// segments can be read while links are compared. A commit that found something makes a version even if no segment
+/// changed: the ground did, and views of it must see when they missed that.
+void Outline::finish(bool hasFound) {
   for (const SegmentId id : changes_.relinked) segments[id.value].listed = 0;
   if (isFiltered_) [[unlikely]]
     filter();
@@ -129,7 +130,7 @@ void Outline::finish() {
   }
   Changes& shown = isFiltered_ ? shown_ : changes_;
   shown.before = version_;
-  if (!shown.removed.empty() || !shown.added.empty() || !shown.relinked.empty()) version_ = versions_.next();
+  if (hasFound) version_ = versions_.next();
   shown.after = version_;
 }
 

@@ -147,7 +147,6 @@ void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32
     if (same && (then->ghost1 != now->ghost1 || then->ghost2 != now->ghost2)) changes.relinked.push_back(id);
   }
   for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
-  if (changes.removed.empty() && changes.added.empty() && changes.relinked.empty()) version_ = version;
   changes.before = version;
   changes.after = version_;
 }

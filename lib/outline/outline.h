@@ -120,7 +120,7 @@ class Outline {
   void dropStreamed(const Ground& ground);
   void clear(const Chunk& chunk);
   void filter();
-  void finish();
+  void finish(bool hasFound);
   void endWithoutLinks(std::uint32_t id);
   void noteList(CellAt at);
   void noteSegment(std::uint32_t id);

@@ -255,10 +255,13 @@ void addDoorsOfPieces(Doors& door) {
   door("Pieces::operator=(const Pieces&)", assignedToItself<&Followed::pieces>);
   door("Pieces::Pieces(Pieces&&)", moved<&Followed::pieces>);
   door("Pieces::operator=(Pieces&&)", moveAssigned<&Followed::pieces>);
-  door("Pieces::update(span<const CellChange>)", [](Scene& s, bool isAgain) {
-    Followed& f = followedBy(s);
-    return f.pieces->update(isAgain ? f.world.cellChanges() : std::span<const CellChange>()).size();
+  door("Pieces::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
+    const Followed& f = followedBy(s);
+    Pieces copy = *f.pieces;
+    static_cast<void>(copy.update(isOther ? f.other : f.world, told.in(s)));
+    for (const Cell cell : copy.changed()) static_cast<void>(copy.freePieces(cell));
   });
+  door("Pieces::changed() const", [](Scene& s) { return followedBy(s).pieces->changed().size(); });
   door("Pieces::solidPieces(Cell) const",
        [](Scene& s, Cell cell) { return followedBy(s).pieces->solidPieces(cell).size(); });
   door("Pieces::freePieces(Cell) const", [](Scene& s, Cell cell) {

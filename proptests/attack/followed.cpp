@@ -129,8 +129,8 @@ Followed::Followed() {
 void Followed::follow(const Changes& changes) {
   static_cast<void>(loops->update(world, changes));
   static_cast<void>(islands->update(world, changes));
-  pieces->update(world.cellChanges());
-  hashes->update(world.cellChanges());
+  static_cast<void>(pieces->update(world, changes));
+  static_cast<void>(hashes->update(world, changes));
   last = changes;
 }
 
@@ -193,8 +193,8 @@ void FollowedC::commit() {
   lgs_changes changes{};
   EXPECT_EQ(lgs_commit(world.get(), &changes), LGS_OK);
   EXPECT_EQ(lgs_islands_update(islands.get(), world.get(), &changes), LGS_OK);
-  EXPECT_EQ(lgs_pieces_update(pieces.get(), world.get(), nullptr, nullptr), LGS_OK);
-  EXPECT_EQ(lgs_hashes_update(hashes.get(), world.get()), LGS_OK);
+  EXPECT_EQ(lgs_pieces_update(pieces.get(), world.get(), &changes, nullptr, nullptr), LGS_OK);
+  EXPECT_EQ(lgs_hashes_update(hashes.get(), world.get(), &changes), LGS_OK);
   last = ListsOfC(changes);
 }
 

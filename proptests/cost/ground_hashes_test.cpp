@@ -14,7 +14,7 @@ TEST(Cost, OfHashesAfterACommitIsNoMoreInALargerWorld) {
     ground.world.commit();
     EXPECT_TRUE(ground.world.followCells(true));
     GroundHashes hashes(ground.world);
-    return costsOf(ground, [&](const Changes&) { hashes.update(ground.world.cellChanges()); });
+    return costsOf(ground, [&](const Changes& changes) { EXPECT_TRUE(hashes.update(ground.world, changes)); });
   };
   expectNoMore(costs, kSmall, kLarge);
 }

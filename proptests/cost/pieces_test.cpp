@@ -14,11 +14,11 @@ TEST(Cost, OfPiecesAfterACommitIsNoMoreInALargerWorld) {
     ground.world.commit();
     EXPECT_TRUE(ground.world.followCells(true));
     Pieces pieces(ground.world);
-    return costsOf(ground, [&](const Changes&) {
+    return costsOf(ground, [&](const Changes& changes) {
       const std::uint64_t workedOut = pieces.stats().workedOut;
-      const auto changes = ground.world.cellChanges();
-      pieces.update(changes);
-      EXPECT_LE(pieces.stats().workedOut - workedOut, changes.size()) << "one content for each cell, at most";
+      EXPECT_TRUE(pieces.update(ground.world, changes));
+      EXPECT_LE(pieces.stats().workedOut - workedOut, ground.world.cellChanges().size())
+          << "one content for each cell, at most";
     });
   };
   expectNoMore(costs, kSmall, kLarge);

@@ -169,7 +169,7 @@ struct OfIslands {
 template <class View>
 struct OfCells {
   explicit OfCells(const World& world) : view(world) {}
-  void update(const World& world, const Changes&) { view.update(world.cellChanges()); }
+  void update(const World& world, const Changes& changes) { EXPECT_TRUE(view.update(world, changes)); }
   static std::size_t units(const World& world, const Changes&) { return edgesIn(world.cellChanges()); }
   View view;
 };

@@ -1,8 +1,10 @@
-// World::version(): it names a state of the segments, in whichever world, and lists of changes lead from one to
-// another.
+// World::version(): it names a state of the ground and its segments, in whichever world, and lists of changes lead from
+// one to another.
 #include "calls.h"
 #include "oracle/trace/call_text.h"
 #include "proptests/support/law.h"
+
+#include <lgs/hashes.h>
 
 #include <gtest/gtest.h>
 
@@ -47,10 +49,11 @@ class Versions {
     const bool isSame = lists == ChangeLists();
     switch (call.kind) {
       case Call::Kind::commit:
-        EXPECT_EQ(world.version() == before, isSame);
-        if (!isSame) {
+        EXPECT_TRUE(isSame || world.version() != before);
+        if (world.version() != before) {
           EXPECT_FALSE(states_.contains(world.version())) << "another state had this version";
         }
+        noteGround();
         break;
       case Call::Kind::mark:
         now_.marks.push_back(before);
@@ -60,7 +63,7 @@ class Versions {
         break;
       case Call::Kind::goBack:
         if (now_.marks.empty()) break;
-        EXPECT_EQ(world.version(), isSame ? before : now_.marks[k]);
+        EXPECT_EQ(world.version(), now_.marks[k]);
         EXPECT_EQ(world.changesOfRollBack().before, before);
         EXPECT_EQ(world.changesOfRollBack().after, world.version());
         now_.marks.resize(k + 1);
@@ -82,6 +85,7 @@ class Versions {
     const Changes& changes = world.commit();
     EXPECT_EQ(changes.before, before);
     EXPECT_EQ(changes.after, world.version());
+    noteGround();
     note();
   }
 
@@ -90,12 +94,19 @@ class Versions {
     EXPECT_EQ(states_.emplace(now_.caller.world.version(), state).first->second, state);
   }
 
+  /// That of a commit.
+  void noteGround() {
+    const std::uint64_t hash = groundHash(now_.caller.world, {{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
+    EXPECT_EQ(grounds_.emplace(now_.caller.world.version(), hash).first->second, hash);
+  }
+
   Timeline now_, kept_;
+  std::map<std::uint64_t, std::uint64_t> grounds_;  ///< hashes, by version
   std::map<std::uint64_t, State> states_ = {{0, {}}};
 };
 
 // Two timelines: one goes on, and the other one is kept for later.
-LGS_LAW(Versions, NameTheStatesOfTheSegments, 500,
+LGS_LAW(Versions, NameTheStatesOfGroundAndSegments, 500,
         (const AnyCalls& first, const AnyCalls& second, const AnyCalls& third, const Setting& setting)) {
   Versions versions(setting);
   versions.play(first);

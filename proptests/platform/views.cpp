@@ -59,8 +59,8 @@ void views(Hash& hash) {
   lgs::GroundHashes hashes(world);
   for (int k = 0; k < 1'500; ++k) {
     editor.edits(choices.between(1, 8));
-    hash.byte(islands.update(world, world.commit()) ? 1 : 0);
-    hashes.update(world.cellChanges());
+    const lgs::Changes& changes = world.commit();
+    hash.byte(islands.update(world, changes) && hashes.update(world, changes) ? 1 : 0);
     putChanges(hash, islands.loops().changes());
     putList(hash, islands.loops().changes().split);
     putChanges(hash, islands.changes());

@@ -134,8 +134,8 @@ TEST(PiecesByHand, EqualPolygonsAreWorkedOutOnce) {
   EXPECT_EQ(pieces.stats(), (PiecesStats{41 * 41, 2, 1}));
   const Pieces copy = pieces;
   ASSERT_TRUE(world.clear({{-20, -20}, {20, 20}}));
-  world.commit();
-  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 41U * 41U);
+  EXPECT_TRUE(pieces.update(world, world.commit()));
+  EXPECT_EQ(pieces.changed().size(), 41U * 41U);
   EXPECT_EQ(pieces.stats(), (PiecesStats{0, 1, 1})) << "a content that no cell has is forgotten";
   EXPECT_EQ(copy.stats(), (PiecesStats{41 * 41, 2, 1}));
   EXPECT_FALSE(copy.solidPieces({20, -20}).empty()) << "a copy goes its own way";

@@ -33,10 +33,7 @@ LGS_EXPORT("hashes") Hashed* hashes(Bridge* bridge) {
 LGS_EXPORT("freeHashes") void freeHashes(Hashed* hashed) { delete hashed; }
 
 LGS_EXPORT("updateHashes") std::int32_t updateHashes(Hashed* hashed, const Bridge* bridge) {
-  return hashed->follow(*bridge, [&] {
-    hashed->hashes.update(bridge->world.cellChanges());
-    return true;
-  });
+  return hashed->follow(*bridge, [&] { return hashed->hashes.update(bridge->world, *bridge->last); });
 }
 
 LGS_EXPORT("wholeHash") void wholeHash(const Hashed* hashed) {

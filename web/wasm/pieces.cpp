@@ -38,7 +38,8 @@ LGS_EXPORT("dropPieces") void dropPieces(FollowedPieces* followed) { delete foll
 LGS_EXPORT("updatePieces") std::int32_t updatePieces(FollowedPieces* followed, const Bridge* bridge) {
   followed->changed.clear();
   return followed->follow(*bridge, [&] {
-    followed->changed = followed->pieces.update(bridge->world.cellChanges());
+    if (!followed->pieces.update(bridge->world, *bridge->last)) return false;
+    followed->changed = followed->pieces.changed();
     return true;
   });
 }

@@ -94,6 +94,7 @@ class Crowd {
   static Position positionOf(Body body) { return body->GetPosition(); }
   static bool areSame(Body a, Body b) { return a == b; }
   static bool isEnabled(Body body) { return body->IsEnabled(); }
+  static void setEnabled(Body body, bool enabled) { body->SetEnabled(enabled); }
   static void kick(Body body, b2Vec2 velocity) {
     body->SetLinearVelocity(velocity);
     body->SetAwake(true);
@@ -169,6 +170,7 @@ class Crowd {
   static Position positionOf(Body body) { return b2Body_GetPosition(body); }
   static bool areSame(Body a, Body b) { return B2_ID_EQUALS(a, b); }
   static bool isEnabled(Body body) { return b2Body_IsEnabled(body); }
+  static void setEnabled(Body body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
   static void kick(Body body, b2Vec2 velocity) {
     b2Body_SetLinearVelocity(body, velocity);
     b2Body_SetAwake(body, true);

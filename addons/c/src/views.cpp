@@ -81,6 +81,14 @@ std::span<const lgs::Piece> piecesOf(const lgs_pieces& pieces, lgs_cell cell, st
   return part == LGS_SOLID ? pieces.view.solidPieces(fromC(cell)) : pieces.view.freePieces(fromC(cell));
 }
 
+/// Without the lists.
+lgs::Changes versionsOf(const lgs_changes& changes) {
+  lgs::Changes versions;
+  versions.before = changes.before;
+  versions.after = changes.after;
+  return versions;
+}
+
 }  // namespace
 
 lgs_status lgs_islands_new(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
@@ -106,12 +114,10 @@ lgs_status lgs_islands_update(lgs_islands* islands, const lgs_world* world, cons
   if (!isArray(changes->removed, changes->removed_count) || !isArray(changes->added, changes->added_count) ||
       !isArray(changes->relinked, changes->relinked_count))
     return LGS_BAD_ARGUMENT;
-  lgs::Changes lists;
+  lgs::Changes lists = versionsOf(*changes);
   lists.removed = listOf(changes->removed, changes->removed_count);
   lists.added = listOf(changes->added, changes->added_count);
   lists.relinked = listOf(changes->relinked, changes->relinked_count);
-  lists.before = changes->before;
-  lists.after = changes->after;
   return islands->view.update(world->world, lists) ? LGS_OK : LGS_BAD_ARGUMENT;
 }
 
@@ -285,11 +291,12 @@ lgs_status lgs_pieces_copy(const lgs_pieces* pieces, lgs_pieces** copy) noexcept
 
 void lgs_pieces_free(lgs_pieces* pieces) noexcept { delete pieces; }
 
-lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world, const lgs_cell** cells,
-                             size_t* count) noexcept {
-  if (!pieces || !world) return LGS_BAD_ARGUMENT;
+lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world, const lgs_changes* changes,
+                             const lgs_cell** cells, size_t* count) noexcept {
+  if (!pieces || !world || !changes || !pieces->view.update(world->world, versionsOf(*changes)))
+    return LGS_BAD_ARGUMENT;
   pieces->changed.clear();
-  for (const lgs::Cell cell : pieces->view.update(world->world.cellChanges())) pieces->changed.push_back(toC(cell));
+  for (const lgs::Cell cell : pieces->view.changed()) pieces->changed.push_back(toC(cell));
   put<const lgs_cell*>(cells, pieces->changed.data());
   put(count, pieces->changed.size());
   return LGS_OK;
@@ -340,10 +347,9 @@ lgs_status lgs_hashes_copy(const lgs_hashes* hashes, lgs_hashes** copy) noexcept
 
 void lgs_hashes_free(lgs_hashes* hashes) noexcept { delete hashes; }
 
-lgs_status lgs_hashes_update(lgs_hashes* hashes, const lgs_world* world) noexcept {
-  if (!hashes || !world) return LGS_BAD_ARGUMENT;
-  hashes->view.update(world->world.cellChanges());
-  return LGS_OK;
+lgs_status lgs_hashes_update(lgs_hashes* hashes, const lgs_world* world, const lgs_changes* changes) noexcept {
+  if (!hashes || !world || !changes) return LGS_BAD_ARGUMENT;
+  return hashes->view.update(world->world, versionsOf(*changes)) ? LGS_OK : LGS_BAD_ARGUMENT;
 }
 
 lgs_status lgs_hashes_whole(const lgs_hashes* hashes, lgs_hashed_square* square) noexcept {

@@ -214,6 +214,7 @@ static void foreseen(void) {
 
 static void pieces(void) {
   lgs_world* world = newWorld();
+  lgs_changes changes;
   lgs_pieces* view = NULL;
   lgs_polygon_id ramp, polygon;
   lgs_local_point vertices[8];
@@ -242,10 +243,12 @@ static void pieces(void) {
   CHECK(lgs_pieces_portals(view, cellAt(0, 0), 1, portals, 8, &count) == LGS_OK && count == 0);
   CHECK(lgs_pieces_portals(NULL, cellAt(0, 0), 0, portals, 8, &count) == LGS_BAD_ARGUMENT);
 
-  CHECK(lgs_remove(world, ramp, NULL) == LGS_OK && lgs_commit(world, NULL) == LGS_OK);
-  CHECK(lgs_pieces_update(NULL, world, &cells, &count) == LGS_BAD_ARGUMENT);
-  CHECK(lgs_pieces_update(view, NULL, &cells, &count) == LGS_BAD_ARGUMENT);
-  CHECK(lgs_pieces_update(view, world, &cells, &count) == LGS_OK && count == 1 && cells[0].i == 0 && cells[0].j == 0);
+  CHECK(lgs_remove(world, ramp, NULL) == LGS_OK && lgs_commit(world, &changes) == LGS_OK);
+  CHECK(lgs_pieces_update(NULL, world, &changes, &cells, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_pieces_update(view, NULL, &changes, &cells, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_pieces_update(view, world, NULL, &cells, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_pieces_update(view, world, &changes, &cells, &count) == LGS_OK && count == 1 && cells[0].i == 0);
+  CHECK(lgs_pieces_update(view, world, &changes, &cells, &count) == LGS_BAD_ARGUMENT);
   CHECK(lgs_pieces_count(view, cellAt(0, 0), LGS_SOLID, &count) == LGS_OK && count == 0);
   {
     lgs_pieces* copy = NULL;
@@ -262,6 +265,7 @@ static void pieces(void) {
 
 static void hashes(void) {
   lgs_world* world = ground();
+  lgs_changes changes;
   lgs_hashes *view = NULL, *copy = NULL;
   lgs_hashed_square whole = {0}, squares[4];
   lgs_cell_rect differ[4];
@@ -284,9 +288,11 @@ static void hashes(void) {
   CHECK(lgs_hashes_in(view, rectOf(0, 0, 0, 0), 0, NULL, 4, &count) == LGS_BAD_ARGUMENT);
 
   CHECK(lgs_hashes_differences(view, copy, differ, 4, &count) == LGS_OK && count == 0);
-  cut(world);
-  CHECK(lgs_hashes_update(NULL, world) == LGS_BAD_ARGUMENT && lgs_hashes_update(view, NULL) == LGS_BAD_ARGUMENT);
-  CHECK(lgs_hashes_update(view, world) == LGS_OK);
+  changes = cut(world);
+  CHECK(lgs_hashes_update(NULL, world, &changes) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_update(view, NULL, &changes) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_update(view, world, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_update(view, world, &changes) == LGS_OK);
   CHECK(lgs_hashes_differences(view, copy, differ, 4, &count) == LGS_OK && count == 1);
   CHECK(differ[0].min.i == 0 && differ[0].max.j == 31);
   CHECK(lgs_hashes_differences(view, copy, differ, 0, &count) == LGS_SHORT_BUFFER && count == 1);
@@ -294,8 +300,8 @@ static void hashes(void) {
   CHECK(lgs_hashes_differences(NULL, copy, differ, 4, &count) == LGS_BAD_ARGUMENT);
   CHECK(lgs_hashes_differences(view, NULL, differ, 4, &count) == LGS_BAD_ARGUMENT);
 
-  CHECK(lgs_clear(world, rectOf(0, 0, 9, 9), NULL, NULL) == LGS_OK && lgs_commit(world, NULL) == LGS_OK);
-  CHECK(lgs_hashes_update(view, world) == LGS_OK);
+  CHECK(lgs_clear(world, rectOf(0, 0, 9, 9), NULL, NULL) == LGS_OK && lgs_commit(world, &changes) == LGS_OK);
+  CHECK(lgs_hashes_update(view, world, &changes) == LGS_OK);
   CHECK(lgs_hashes_whole(view, &whole) == LGS_OK && whole.hash == 0);
   lgs_hashes_free(view);
   lgs_hashes_free(copy);

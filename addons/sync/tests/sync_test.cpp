@@ -19,6 +19,14 @@ namespace {
 
 using in_step::Bytes;
 
+/// Of a commit that led from one version to another. The lists are not looked at.
+Changes changesFrom(std::uint64_t before, const World& world) {
+  Changes changes;
+  changes.before = before;
+  changes.after = world.version();
+  return changes;
+}
+
 World& followed(World& world) {
   EXPECT_TRUE(world.followCells(true));
   return world;
@@ -66,8 +74,10 @@ class Game {
 
   void make(const Call& call) {
     const bool tells = call.kind == Call::Kind::commit || call.kind == Call::Kind::goBack;
+    const std::uint64_t before = caller_.world.version();
     if (caller_.make(call).refusal || !tells || (call.kind == Call::Kind::goBack && !caller_.hasMarks())) return;
-    tell(server_.update());
+    if (chance_.chance(5)) return;  // a commit that the server misses
+    tell(server_.update(changesFrom(before, caller_.world)));
     const int what = chance_.below(100);
     if (what < 10 && followers_.size() < 3) followers_.push_back(std::make_unique<Follower>(chance_));
     if (what >= 90) drift();
@@ -75,7 +85,9 @@ class Game {
   }
 
   void becomeQuiet() {
-    make(Call());
+    const std::uint64_t before = caller_.world.version();
+    caller_.world.commit();
+    tell(server_.update(changesFrom(before, caller_.world)));  // it sees what it missed
     if (followers_.empty()) followers_.push_back(std::make_unique<Follower>(chance_));
     const auto isEqual = [this](const auto& f) {
       return f->client.isInStep() && samePolygons(f->world, caller_.world);
@@ -122,8 +134,7 @@ class Game {
       static_cast<void>(follower.world.add(cell, unitSquare(), 9));
     else
       static_cast<void>(follower.world.clear(GroundHashes::square(cell, chance_.below(2)).cells));
-    follower.world.commit();
-    follower.client.update();
+    follower.client.update(follower.world.commit());
   }
 
   Cell corner_;
@@ -195,8 +206,7 @@ TEST(SyncByHand, OneCellOfAMillionIsFoundAndMendedInFourKilobytes) {
     const Cell cell{static_cast<std::int32_t>(random() % 1'000), static_cast<std::int32_t>(random() % 1'000)};
     const PolygonHandle polygon = theirs.polygons(cell).front().handle;
     ASSERT_TRUE(k % 2 == 0 ? theirs.remove(polygon) : theirs.setBlock(polygon, 7));
-    theirs.commit();
-    talk.client.update();
+    talk.client.update(theirs.commit());
     talk.bytes = talk.messages = 0;
     EXPECT_FALSE(talk.client.isInStep());
     talk.hear(talk.server.signOfLife());
@@ -222,10 +232,7 @@ TEST(SyncByHand, WhatIsUnloadedIsNotGone) {
   World ours = rampsOf(60), theirs = ours;
   const World whole = ours;
   Talk talk(ours, theirs);
-  const auto tell = [&] {
-    ours.commit();
-    talk.hear(talk.server.update());
-  };
+  const auto tell = [&] { talk.hear(talk.server.update(ours.commit())); };
   std::vector<std::byte> left;
   ASSERT_TRUE(ours.unload({{0, 0}, {31, 31}},
                           [&](Cell, std::span<const std::byte> bytes) { left.assign(bytes.begin(), bytes.end()); }));
@@ -250,9 +257,8 @@ TEST(SyncByHand, WhoFollowsGetsEditsAndNothingElse) {
     const PolygonHandle stays = theirs.polygons({k, 1}).front().handle;
     ASSERT_TRUE(ours.clear(Cell{k, 0}));
     place(ours, {k, 60}, unitSquare());
-    ours.commit();
     talk.messages = 0;
-    talk.hear(talk.server.update());
+    talk.hear(talk.server.update(ours.commit()));
     EXPECT_EQ(talk.messages, 1U);
     EXPECT_TRUE(talk.client.isInStep());
     EXPECT_TRUE(theirs.polygon(stays)) << "what did not change keeps its handle";
@@ -270,8 +276,7 @@ TEST(SyncByHand, WhatDidNotChangeInACellKeepsItsHandle) {
   Talk talk(ours, theirs);
   const PolygonHandle stays = theirs.polygons({}).back().handle;
   ASSERT_TRUE(ours.remove(goes));
-  ours.commit();
-  talk.hear(talk.server.update());
+  talk.hear(talk.server.update(ours.commit()));
   EXPECT_TRUE(theirs.polygon(stays));
   EXPECT_TRUE(samePolygons(ours, theirs));
 }
@@ -283,8 +288,7 @@ TEST(SyncByHand, WhatIsOlderThanWhatWasHeardIsLeftOut) {
   for (const Block block : {1U, 2U, 3U}) {
     ASSERT_TRUE(ours.clear(Cell{0, 0}));
     place(ours, {0, 0}, unitSquare(), block);
-    ours.commit();
-    told.push_back(talk.server.update());
+    told.push_back(talk.server.update(ours.commit()));
   }
   Block latest = 0;
   for (const Block heard : {2U, 1U, 3U, 3U, 2U, 1U}) {
@@ -299,8 +303,7 @@ TEST(SyncByHand, WhatIsTooMuchForAMessageIsFound) {
   World ours, theirs;
   Talk talk(ours, theirs);
   fill(ours, {{0, 0}, {99, 99}});
-  ours.commit();
-  const Bytes told = talk.server.update();
+  const Bytes told = talk.server.update(ours.commit());
   EXPECT_LT(told.size(), 30U);
   talk.hear(told);
   EXPECT_TRUE(samePolygons(ours, theirs));
@@ -311,8 +314,7 @@ TEST(SyncByHand, WhatIsRefusedIsNotHalfDone) {
   World world;
   in_step::Client client(followed(world));
   place(world, {5, 5}, unitSquare());
-  world.commit();
-  client.update();
+  client.update(world.commit());
   const in_step::Polygon square{unitSquare(), 1}, ramp{{{0, 0}, {kUnitsPerCell, 0}, {0, kUnitsPerCell}}, 1};
   in_step::News news;
   news.turn = 3;
@@ -351,8 +353,9 @@ LGS_LAW(Sync, DamagedMessagesDoNoHarm, 200, (const Calls& calls, Chance chance))
     return bytes;
   };
   for (const Call& call : calls.list) {
+    const std::uint64_t before = caller.world.version();
     if (caller.make(call).refusal || call.kind != Call::Kind::commit) continue;
-    std::vector<Bytes> questions = client.hear(damaged(server.update()));
+    std::vector<Bytes> questions = client.hear(damaged(server.update(changesFrom(before, caller.world))));
     for (int k = 0; k < 8 && !questions.empty(); ++k) {
       const auto answer = server.answer(damaged(questions.back()));
       questions.pop_back();

@@ -50,7 +50,8 @@ using DoubleSegment = RealSegment<double>;  ///< in cells, as `double`
 ///
 /// The lists lead from one World::version() to another. Keep the version with a copy of the segments.
 /// The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were left
-/// out, applied twice, or are those of another world. If all three lists are empty, both versions are the same.
+/// out, applied twice, or are those of another world. Both are the same if the commit found nothing to do. Where they
+/// are not, the lists may be empty: inside the ground polygons come and go without a segment.
 struct Changes {
   std::vector<SegmentId> removed;   ///< alive before, and not any more
   std::vector<SegmentId> added;     ///< alive now, and not before

@@ -409,10 +409,11 @@ class World {
   /// The relation that the world was made with; empty if it preserves nothing.
   const PreserveRelation& preserveRelation() const noexcept;
 
-  /// The version of the segments, as of the last commit. Each commit that changes any makes a new one, and no world of
-  /// this process ever makes the same one. A copy has the version of its original, until one of them changes.
-  /// rollBack() brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions mean
-  /// nothing else: the same edits make other ones in another run, and law 12 does not hold for them.
+  /// The version of the ground and its segments, as of the last commit. Each commit that finds an edit, or a chunk that
+  /// left memory or came back, makes a new one, and no world of this process ever makes the same one. A copy has the
+  /// version of its original, until one of them changes. rollBack() brings back that of the mark, unless chunks left or
+  /// came back since. A loaded world has a new one. Versions mean nothing else: the same edits make other ones in another
+  /// run, and law 12 does not hold for them.
   std::uint64_t version() const noexcept;
 
   /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more. Only

@@ -67,7 +67,7 @@ void addAcross(const Opening& here, int side, Cell cell, std::span<const Opening
 }  // namespace
 
 struct Pieces::Impl {
-  explicit Impl(std::size_t maxVertices) : catalogue(maxVertices) {}
+  Impl(const World& world, std::size_t maxVertices) : version(world.version()), catalogue(maxVertices) {}
 
   const Content& contentOf(Cell cell) const { return *catalogue.content(cells.at(cell)); }
 
@@ -80,13 +80,14 @@ struct Pieces::Impl {
     return isOther;
   }
 
+  std::uint64_t version;  ///< of the world, as of the last update
   pieces::Catalogue catalogue;
   pieces::Cells cells;
   std::vector<Cell> changed;
 };
 
 Pieces::Pieces(const World& world, PiecesOptions options) noexcept
-    : impl_(std::make_unique<Impl>(options.maxVertices)) {
+    : impl_(std::make_unique<Impl>(world, options.maxVertices)) {
   assert(options.maxVertices >= 3 && options.maxVertices <= kMaxVerticesPerCell);
   std::vector<PlacedPolygon> polygons;
   Cell last = Error::kNoCell;
@@ -111,12 +112,16 @@ Pieces& Pieces::operator=(const Pieces& other) noexcept {
 Pieces::Pieces(Pieces&&) noexcept = default;
 Pieces& Pieces::operator=(Pieces&&) noexcept = default;
 
-const std::vector<Cell>& Pieces::update(std::span<const CellChange> changes) noexcept {
+bool Pieces::update(const World& world, const Changes& changes) noexcept {
+  if (!world.followsCells() || changes.before != impl_->version || changes.after != world.version()) return false;
+  impl_->version = changes.after;
   impl_->changed.clear();
-  for (const CellChange& change : changes)
+  for (const CellChange& change : world.cellChanges())
     if (impl_->set(change.cell, change.now)) impl_->changed.push_back(change.cell);
-  return impl_->changed;
+  return true;
 }
+
+const std::vector<Cell>& Pieces::changed() const noexcept { return impl_->changed; }
 
 std::span<const Piece> Pieces::solidPieces(Cell cell) const noexcept {
   return inRange(cell) ? std::span<const Piece>(impl_->contentOf(cell).solid) : std::span<const Piece>();

@@ -77,7 +77,7 @@ void GroundHashes::update(std::span<const CellChange> changes) noexcept {
 }
 
 bool GroundHashes::update(const World& world, const Changes& changes) noexcept {
-  if (changes.before != version_ || changes.after != world.version()) return false;
+  if (!world.followsCells() || changes.before != version_ || changes.after != world.version()) return false;
   update(world.cellChanges());
   version_ = changes.after;
   return true;

@@ -100,11 +100,13 @@ class ViewsLaw : public Law {
   Found look(Seen& seen) {
     const World& world = seen.world();
     auto& [islands, islandCheck, beyondCheck, pieces, pieceCheck, hashes] = *views_;
-    if (!islands.update(world, seen.library->changes()))
+    const Changes& changes = seen.library->changes();
+    if (!islands.update(world, changes) || !pieces.update(world, changes) || !hashes.update(world, changes))
       return seen.mismatch(Mismatch::Kind::views, "the views refuse what was committed");
-    hashes.update(world.cellChanges());
+    if (changes.before == changes.after && !world.cellChanges().empty())
+      return seen.mismatch(Mismatch::Kind::views, "the ground changed, and who missed that does not see it");
     auto wrong = streams_ ? said(beyondCheck.update(world, ground(seen), islands)) : islandCheck.update(world, islands);
-    if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.update(world.cellChanges()));
+    if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.changed());
     if (!wrong) wrong = faultOf(hashes, world);
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
   }

@@ -148,7 +148,12 @@ export abstract class FallingBase<Body, Material> {
     return true
   }
 
-  /** For a body that you destroy yourself, or keep for yourself. */
+  /** Takes a body of yours that is made of ground: one that was forgotten, say. From here on it can be settled. */
+  add(body: Body, ground: GroundBody): void {
+    object('ground', 'a body of ground', ground)
+    this.#bodies.set(this.#maker.keyOf(body), { body, ground })
+  }
+  /** For a body that you destroy yourself, or keep for yourself: add() takes it back. */
   forget(body: Body): void { this.#bodies.delete(this.#maker.keyOf(body)) }
 
   #refuseInStep(): void {

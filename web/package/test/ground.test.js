@@ -1,7 +1,9 @@
 // The ground of a game held as one, with planck and without: whatever is done in whatever order, matter is neither doubled
 // nor lost, and all that follows the ground is what a look at all of it gives.
 import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
 import { before, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
 import { inspect } from 'node:util'
 import fc from 'fast-check'
 import { Circle, World as Physics } from 'planck'
@@ -341,6 +343,12 @@ test('only the squares that look different are drawn', () => {
   ground.free()
 })
 
+test('the game of web/examples plays: it streams, goes back, falls, is saved and loaded, and a second world is told', () => {
+  const frames = Number(process.env.LGS_TEST_SCALE ?? 0) >= 1 ? 30_000 : 1_200
+  const game = fileURLToPath(new URL('../../examples/game.js', import.meta.url))
+  assert.match(execFileSync(process.execPath, [game, `${frames}`], { encoding: 'utf8' }), /both worlds are the same, 0 of 12 balls lost/)
+})
+
 // --- Whatever is done
 
 const here = { i0: -32, j0: -32, i1: 31, j1: 31 }, far = 2 ** 30
@@ -409,6 +417,43 @@ function play(game, make, hasLand) {
   }
   ground.free()
 }
+
+/** Law 13 over land that streams: whose middle was free is free, or is disabled where it was; none moves where no ground is. */
+test('any game with planck, with balls over land that streams', () => {
+  fc.assert(fc.property(calls, fc.array(fc.tuple(fc.integer({ min: -60, max: 90 }), fc.integer({ min: 9, max: 16 }), fc.boolean()), { minLength: 1, maxLength: 6 }), (game, places) => {
+    const { physics, ground } = withPlanck({ land }), { terrain } = ground
+    ground.window(here)
+    const balls = places.map(([x, y, isOff]) => {
+      const body = physics.createBody({ type: 'dynamic', position: { x: x + 0.5, y: y + 0.5 }, active: !isOff })
+      body.createFixture(new Circle(0.3), { density: 1 })
+      return { body, isOff, wasFree: true, held: null }
+    })
+    const look = () => {
+      for (const ball of balls) {
+        const { x, y } = ball.body.getPosition(), { where } = ground.world.at(x, y), isActive = ball.body.isActive()
+        assert.ok(!(ball.isOff && isActive), 'a body that the game keeps switched off is on')
+        if (isActive && ball.wasFree) assert.equal(where, 'outside')
+        if (!isActive && ball.held) assert.deepEqual({ x, y }, ball.held, 'it moved while it was disabled')
+        ball.wasFree = where === 'outside' || (ball.wasFree && !isActive)
+        ball.held = isActive ? null : { x, y }
+      }
+    }
+    ground.step(1 / 60)
+    for (const [what, call] of game) {
+      try {
+        if (what === 'steps') for (let k = 0; k < 20; ++k) { ground.step(1 / 60); look() }
+        else call(ground)
+      } catch (error) {
+        if (!(error instanceof LgsError)) throw error
+      }
+      ground.step(1 / 60)
+      look()
+      assertFollows(ground)
+    }
+    assert.ok(terrain.disabled.every((body) => !body.isActive()))
+    ground.free()
+  }), { numRuns: 40 })
+})
 
 for (const [name, make, runs, hasLand] of [['without physics', () => new Ground({ anchors }), 100], ['with planck', () => withPlanck().ground, 80],
   ['over land that streams', () => new Ground({ anchors, land }), 60, true]])

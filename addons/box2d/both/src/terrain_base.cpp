@@ -20,6 +20,7 @@ TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions opt
               .shortest = frame_.unitsOf(slop()),
               .merge = options.merge,
               .material = [this](Block block) { return materials_.number(block); }}),
+      disabled_(physics),
       footings_(std::make_unique<Footings>()) {
   loadEdges();
 }
@@ -94,7 +95,7 @@ void TerrainBase::moveOrigin(Cell origin) noexcept {
 }
 
 // Whether there are no bodies but the terrain's.
-bool TerrainBase::isAlone() const { return bodyCountOf(physics_) <= bodyCount_; }
+bool TerrainBase::isAlone() const { return bodyCountOf(physics_) <= bodyCount_ + disabled_.ownCount(); }
 
 void TerrainBase::apply(const EdgeChanges& changes) {
   bodies_.resize(edges_.chunkCount());

@@ -120,15 +120,14 @@ std::vector<Overlap> TerrainBase::overlapsWith(const Changes& changes) noexcept 
 
 // Those that were disabled before come first. So a body that overlaps now is not tried twice.
 void TerrainBase::settle(const std::optional<Box>& changed, OnOverlap onOverlap) {
-  eraseGone(physics_, disabled_);
-  std::erase_if(disabled_, [&](BodyHandle body) { return isEnabled(body) || (changed && release(body, *changed)); });
+  disabled_.eraseIf([&](BodyHandle body) { return isEnabled(body) || (changed && release(body, *changed)); });
   for (const Overlap& overlap : overlaps_) {
     if (overlap.isFree && onOverlap == OnOverlap::push) {
       push(overlap.body, overlap.displacement);
     } else {
       stop(overlap.body);
       setEnabled(overlap.body, false);
-      disabled_.push_back(overlap.body);
+      disabled_.add(overlap.body);
     }
   }
 }

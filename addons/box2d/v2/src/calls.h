@@ -11,7 +11,6 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_set>
 #include <vector>
 
 namespace lgs::box2d {
@@ -88,14 +87,6 @@ inline void stop(b2Body* body) {
 }
 inline void moveTo(b2Body* body, b2Vec2 at) { body->SetTransform(at, body->GetAngle()); }
 inline void setPose(b2Body* body, const Pose& at) { body->SetTransform(at.p, at.angle); }
-
-/// The game may have destroyed some.
-inline void eraseGone(b2World& physics, std::vector<b2Body*>& bodies) {
-  if (bodies.empty()) return;
-  std::unordered_set<const b2Body*> alive;
-  for (const b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext()) alive.insert(body);
-  std::erase_if(bodies, [&](b2Body* body) { return !alive.contains(body); });
-}
 
 // --- shapes
 

@@ -100,11 +100,6 @@ inline void stop(b2BodyId body) {
 inline void setPose(b2BodyId body, const Pose& at) { b2Body_SetTransform(body, at.p, at.q); }
 inline void moveTo(b2BodyId body, Position at) { setPose(body, {at, b2Body_GetRotation(body)}); }
 
-/// The game may have destroyed some.
-inline void eraseGone(b2WorldId /*physics*/, std::vector<b2BodyId>& bodies) {
-  std::erase_if(bodies, [](b2BodyId body) { return !b2Body_IsValid(body); });
-}
-
 // --- shapes
 
 inline b2BodyId bodyOf(b2ShapeId shape) { return b2Shape_GetBody(shape); }

@@ -38,7 +38,7 @@ class Terrain::Memory {
   std::vector<SegmentShape> shapes;
   std::vector<ChunkBody> bodies;
   std::size_t bodyCount;
-  std::vector<b2BodyId> disabled;
+  KnownBodies disabled;
   Footings footings;
 };
 
@@ -49,7 +49,7 @@ Terrain::MemoryPtr Terrain::remember() const noexcept {
   return std::make_shared<Memory>(Memory{frame_, edges_, shapes_, bodies_, bodyCount_, disabled_, *footings_});
 }
 
-// Going back over commits that come to nothing leaves the world another version than the mark's.
+// After chunks left or came back the world has another version than the mark's.
 void Terrain::recall(const MemoryPtr& memory) noexcept {
   frame_ = memory->frame;
   edges_ = memory->edges;

@@ -213,10 +213,10 @@ LGS_API lgs_status lgs_pieces_new(const lgs_world* world, size_t max_vertices, l
 LGS_API lgs_status lgs_pieces_copy(const lgs_pieces* pieces, lgs_pieces** copy) LGS_NOTHROW;
 LGS_API void lgs_pieces_free(lgs_pieces* pieces) LGS_NOTHROW;
 
-/* Takes over what the last commit or roll-back changed, of a world that follows its cells. Reports which cells have
- * other pieces now; the list stays until the next update. Miss no commit: this is not checked. */
-LGS_API lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world, const lgs_cell** cells,
-                                     size_t* count) LGS_NOTHROW;
+/* Takes over what the last commit or roll-back changed. Reports which cells have other pieces now; the list stays until
+ * the next update. Refused, and nothing changes: LGS_BAD_ARGUMENT, as by lgs_islands_update(). */
+LGS_API lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world, const lgs_changes* changes,
+                                     const lgs_cell** cells, size_t* count) LGS_NOTHROW;
 
 /* How many pieces a cell has: LGS_SOLID or LGS_FREE. */
 LGS_API lgs_status lgs_pieces_count(const lgs_pieces* pieces, lgs_cell cell, int32_t part, size_t* count) LGS_NOTHROW;
@@ -248,9 +248,10 @@ LGS_API lgs_status lgs_hashes_new(const lgs_world* world, lgs_hashes** hashes) L
 LGS_API lgs_status lgs_hashes_copy(const lgs_hashes* hashes, lgs_hashes** copy) LGS_NOTHROW;
 LGS_API void lgs_hashes_free(lgs_hashes* hashes) LGS_NOTHROW;
 
-/* Takes over what the last commit or roll-back changed, of a world that follows its cells. Miss no commit: this is not
- * checked. Cost: in proportion to what is in the changed cells. */
-LGS_API lgs_status lgs_hashes_update(lgs_hashes* hashes, const lgs_world* world) LGS_NOTHROW;
+/* Takes over what the last commit or roll-back changed. Refused, and nothing changes: LGS_BAD_ARGUMENT, as by
+ * lgs_islands_update(). Cost: in proportion to what is in the changed cells. */
+LGS_API lgs_status lgs_hashes_update(lgs_hashes* hashes, const lgs_world* world,
+                                     const lgs_changes* changes) LGS_NOTHROW;
 
 /* The least square that all ground lies in: its hash is that of the world. Cost: O(1). */
 LGS_API lgs_status lgs_hashes_whole(const lgs_hashes* hashes, lgs_hashed_square* square) LGS_NOTHROW;

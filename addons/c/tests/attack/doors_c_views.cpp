@@ -81,17 +81,19 @@ void addPieces(Doors& door) {
     return checked(status, p && out);
   });
   door("lgs_pieces_free", [](Scene&) { lgs_pieces_free(nullptr); });
-  door("lgs_pieces_update", [](Scene& s, Given p, WorldOfC w, Given list, Given out) {
+  door("lgs_pieces_update", [](Scene& s, Given p, WorldOfC w, Given told, Given list, Given out) {
     const FollowedC& f = followedInCBy(s);
     lgs_pieces* made = nullptr;  // it may be told what was in another world
     EXPECT_EQ(lgs_pieces_new(f.world.get(), 8, &made), LGS_OK);
     const Owned<lgs_pieces> owner(made);
+    const lgs_changes changes = f.last.asChanges();
     const lgs_cell* cells = nullptr;
     std::size_t count = 0;
-    const lgs_status status = lgs_pieces_update(p ? made : nullptr, w(f), list(cells), out(count));
+    const lgs_status status =
+        lgs_pieces_update(p ? made : nullptr, w(f), told ? &changes : nullptr, list(cells), out(count));
     for (std::size_t k = 0; k < count && cells; ++k)
       static_cast<void>(lgs_pieces_portals(made, cells[k], 0, nullptr, 0, nullptr));
-    return checked(status, p && w(f));
+    return checked(status, p && w(f) && told);
   });
   door("lgs_pieces_count", [](Scene& s, Given p, Cell c, ListOfC part, Given out) {
     std::size_t count = 0;
@@ -134,14 +136,15 @@ void addHashes(Doors& door) {
     return checked(status, h && out);
   });
   door("lgs_hashes_free", [](Scene&) { lgs_hashes_free(nullptr); });
-  door("lgs_hashes_update", [](Scene& s, Given h, WorldOfC w) {
+  door("lgs_hashes_update", [](Scene& s, Given h, WorldOfC w, Given told) {
     const FollowedC& f = followedInCBy(s);
     const Owned<lgs_hashes> copy = copyOf(f.hashes.get());
+    const lgs_changes changes = f.last.asChanges();
     std::size_t count = 0;
-    const lgs_status status = lgs_hashes_update(h ? copy.get() : nullptr, w(f));
+    const lgs_status status = lgs_hashes_update(h ? copy.get() : nullptr, w(f), told ? &changes : nullptr);
     static_cast<void>(lgs_hashes_whole(copy.get(), nullptr));
     static_cast<void>(lgs_hashes_differences(copy.get(), f.hashes.get(), nullptr, 0, &count));
-    return checked(status, h && w(f));
+    return checked(status, h && w(f) && told);
   });
   door("lgs_hashes_whole", [](Scene& s, Given h, Out<lgs_hashed_square> out) {
     return checked(lgs_hashes_whole(hashesOf(followedInCBy(s), h), out), h);

@@ -262,8 +262,8 @@ class Ground {
     for (std::size_t k = std::min<std::size_t>(fallen_.size(), 16); k > 0; --k) {
       Fallen& f = fallen_[next_++ % fallen_.size()];
       if (!f.isInAir || isNull(f.handle) || steps_ < f.until) continue;
-      if (!host_.rests(f.handle)) f.movedAt = steps_;
-      if (steps_ - f.movedAt < kStepsOfRest) continue;
+      if (!host_.lies(f.handle)) f.movedAt = steps_;
+      if (steps_ - f.movedAt < kStepsOfRest || !host_.isHeld(f.handle)) continue;
       f.until = steps_ + (std::uint64_t{60} << std::min(f.tries++, 6));
       static_cast<void>(settle(f));
       return;

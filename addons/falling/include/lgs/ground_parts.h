@@ -132,7 +132,8 @@ class NoPhysics {
   void showAll() {}                                          ///< after a load
   Handle make(const Rock& rock);                             ///< a body for a rock; null, if there can be none
   Rock read(Handle handle) { return rocks_.at(handle); }     ///< where it is now
-  bool rests(Handle /*handle*/) { return false; }            ///< whether it may be ground again by itself
+  bool lies(Handle /*handle*/) { return false; }             ///< whether it is at rest
+  bool isHeld(Handle /*handle*/) { return true; }  ///< whether it would not fall again, as far as that is known
   /// Puts it into the ground, as an edit; its body goes. Refused: overlap, if it lies on whole cells and something is
   /// there; as by putAsItLies().
   Expected<void> settle(Handle handle);

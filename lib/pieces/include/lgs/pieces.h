@@ -4,8 +4,10 @@
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::Pieces pieces(world);                                 // reads all polygons once
 //   world.commit();
-//   for (lgs::Cell cell : pieces.update(world.cellChanges()))  // after each commit(), rollBack() and rollForward()
-//     for (const lgs::Piece& piece : pieces.solidPieces(cell)) …  // these cells have other pieces now
+//   if (!pieces.update(world, world.commit()))                 // after each commit(), rollBack() and rollForward()
+//     pieces = lgs::Pieces(world);                             // one was missed
+//   for (lgs::Cell cell : pieces.changed())                    // these cells have other pieces now
+//     for (const lgs::Piece& piece : pieces.solidPieces(cell)) …
 //
 // What a piece is:
 //
@@ -100,12 +102,15 @@ class Pieces {
   Pieces(Pieces&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
   Pieces& operator=(Pieces&&) noexcept;
 
-  /// Takes over what a commit, a roll-back or a roll-forward changed. Returns the cells that have other pieces than
-  /// before, free ones or solid ones, each once and in the order of the changes; to another block, or by an edit that
-  /// came to nothing, a cell has none. Miss no commit. Cost: in proportion to the vertices of these cells; and for each
-  /// content that no cell had before, O(n log n) for its n vertices, and moves of at most n² words. It looks at no
-  /// other cell.
-  const std::vector<Cell>& update(std::span<const CellChange> changes) noexcept;
+  /// Takes over what the world's last commit, roll-back or roll-forward changed. False, and nothing changes, if
+  /// `changes` are not those of it, or do not lead from the version that was seen last, as one was missed, or if the world
+  /// does not follow its cells: then begin again. Cost: in proportion to the vertices of the changed cells; and for each content that no cell had before,
+  /// O(n log n) for its n vertices, and moves of at most n² words. It looks at no other cell.
+  [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
+
+  /// The cells that have other pieces by the last update, free ones or solid ones, each once and in the order of the
+  /// changes. By another block, or by an edit that came to nothing, a cell has none. Empty after construction.
+  const std::vector<Cell>& changed() const noexcept;
 
   /// The pieces of the polygons of a cell, by Piece::polygon, then by their vertices. A cell out of range has none.
   /// Cost: O(1).

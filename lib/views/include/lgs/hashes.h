@@ -3,8 +3,8 @@
 //
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::GroundHashes hashes(world);       // reads all polygons once
-//   world.commit();
-//   hashes.update(world.cellChanges());    // after each commit(), rollBack() and rollForward()
+//   if (!hashes.update(world, world.commit()))   // after each commit(), rollBack() and rollForward()
+//     hashes = lgs::GroundHashes(world);         // one was missed
 //   if (hashes.hash() != theirs) …         // then some square differs: compare those of the next level
 //
 // What a hash is:
@@ -55,15 +55,16 @@ class GroundHashes {
   /// vertices.
   explicit GroundHashes(const World& world) noexcept;
 
-  /// Takes over what a commit, a roll-back or a roll-forward changed. Miss no commit: this is not checked. Cost: in
-  /// proportion to the polygons and vertices of these cells. A search for the worst commit found some 180 basic blocks
-  /// for each vertex and cell; a test holds it below 400. It looks at no other cell.
-  void update(std::span<const CellChange> changes) noexcept;
-
-  /// The same of the world's last commit, roll-back or redo, and looks whether one before it was missed: false, and
-  /// nothing changes, if `changes` do not lead from the version that was seen last; then begin again. Use one of the
-  /// two forms. (A commit that changed no segment has no new version, so that one was missed is not seen.)
+  /// Takes over what the world's last commit, roll-back or roll-forward changed. False, and nothing changes, if
+  /// `changes` are not those of it, or do not lead from the version that was seen last, as one was missed, or if the
+  /// world does not follow its cells: then begin again. Cost: in proportion to the polygons and vertices of the changed
+  /// cells. A search for the worst commit found some 180 basic blocks for each vertex and cell; a test holds it below
+  /// 400. It looks at no other cell.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
+
+  /// The same of some cells alone, whichever they are: nothing is checked. For code that keeps hashes of ground that is
+  /// not in memory, and uses no other form.
+  void update(std::span<const CellChange> changes) noexcept;
 
   /// From now on the hash of a chunk, by any cell of it in range, is this one: for code that keeps hashes of ground
   /// that is not in memory, or finds that it came back as something else. Cost: O(1).
@@ -115,7 +116,7 @@ class GroundHashes {
                       const Place& at, std::vector<CellRect>& out);
 
   std::uint64_t hash_ = 0;
-  std::uint64_t version_ = 0;  ///< of the world's segments, as of the last update
+  std::uint64_t version_ = 0;  ///< of the world, as of the last update
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_;  ///< nodes that are not in the tree
 };

@@ -4,6 +4,7 @@
 
 #include <lgs/box2d/edges.h>
 #include <lgs/box2d/hit.h>
+#include <lgs/box2d/known_bodies.h>
 #include <lgs/box2d/materials.h>
 #include <lgs/box2d/physics.h>
 
@@ -98,7 +99,7 @@ class TerrainBase {
 
   /// The bodies that are disabled where they overlapped, at rest. A later sync nearby enables them if they are free
   /// there, or pushes them out if their centres are. The game may destroy or enable one.
-  std::vector<BodyHandle> disabled() const noexcept { return disabled_; }
+  std::vector<BodyHandle> disabled() const noexcept { return disabled_.all(); }
 
   /// Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game
   /// has put elsewhere: from there on afterStep() guards them. Without it their first step is not guarded; and in Box2D
@@ -250,7 +251,7 @@ class TerrainBase {
   std::vector<ChunkBody> bodies_;                                    ///< by number of the chunk
   std::size_t bodyCount_ = 0;                                        ///< chunks with at least one shape
   std::vector<Overlap> overlaps_;                                    ///< of the last sync()
-  std::vector<BodyHandle> disabled_;                                 ///< bodies that wait until their place is free
+  KnownBodies disabled_;                                             ///< bodies that wait until their place is free
   std::unique_ptr<Footings> footings_;                               ///< where each body was free last
   std::size_t others_ = 0;                                           ///< bodies that were not in footings_ (Box2D 3)
   std::vector<BodyHandle> putBack_;                                  ///< by the last afterStep()

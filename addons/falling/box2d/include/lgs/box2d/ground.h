@@ -25,12 +25,13 @@ class GroundHost {
   GroundHost(World& world, Physics physics, TerrainOptions terrain = {}, FallingOptions falling = {})
       : physics_(physics),
         terrain_(physics, world, std::move(terrain)),
-        falling_(physics, world, terrain_, std::move(falling)) {}
+        falling_(physics, world, terrain_, std::move(falling)),
+        away_(physics) {}
 
   Terrain& terrain() { return terrain_; }  ///< for questions, and for moved()
 
   /// Bodies outside of the window: disabled until it is there again.
-  const std::vector<BodyHandle>& away() const { return away_; }
+  const std::vector<BodyHandle>& away() const { return away_.all(); }
 
   // What a Ground needs: see NoPhysics.
 
@@ -74,11 +75,13 @@ class GroundHost {
             static_cast<double>(spin)};
   }
   /// Whether it is slow enough to sleep: as much as touches it may be awake.
-  bool rests(BodyHandle body) {
+  bool lies(BodyHandle body) {
     if (!isEnabled(body)) return false;
     const auto [velocity, spin] = movingOf(body);
     return std::hypot(velocity.x, velocity.y) < kSlow && std::abs(spin) < kSlowSpin;
   }
+  /// Whether the ground would hold it: who lies on another body alone would fall again.
+  bool isHeld(BodyHandle body) { return touchesGround(terrain_, body); }
   /// As FallingGround::settle().
   Expected<void> settle(BodyHandle body) { return falling_.settle(body); }
   /// The body goes.
@@ -89,17 +92,13 @@ class GroundHost {
   /// Bodies come back before the ground that they were in is new: so law 13 holds for them.
   void window(const CellRect& cells) {
     window_ = cells;
-    std::vector<BodyHandle> back;
-    std::erase_if(away_, [&](BodyHandle body) {
-      const bool isThere = isStillThere(physics_, body);
-      if (isThere && isAway(body)) return false;
-      if (isThere) back.push_back(body);
-      return true;
-    });
-    for (const BodyHandle body : back) {
+    away_.eraseIf([&](BodyHandle body) {
+      if (isEnabled(body)) return true;  // by the game
+      if (isAway(body)) return false;
       enable(body, true);
       noteWhereItIs(terrain_, body);
-    }
+      return true;
+    });
     disableAway(false);
   }
   /// As that of the terrain.
@@ -128,7 +127,7 @@ class GroundHost {
     });
     for (const BodyHandle body : away) {
       enable(body, false);
-      away_.push_back(body);
+      away_.add(body);
     }
   }
 
@@ -138,7 +137,7 @@ class GroundHost {
   Terrain terrain_;
   FallingGround falling_;
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
-  std::vector<BodyHandle> away_;
+  KnownBodies away_;
 };
 
 /// The comment at the top of <lgs/ground.h> is its manual.

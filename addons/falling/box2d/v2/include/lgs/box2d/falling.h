@@ -76,6 +76,12 @@ inline void setMotion(b2Body* body, Place origin, double cosine, double sine, Mo
   body->SetLinearVelocity(moving.velocity);
   body->SetAngularVelocity(moving.spin);
 }
+/// Whether a body touches the ground.
+inline bool touchesGround(const Terrain& terrain, b2Body* body) {
+  const b2ContactEdge* edge = body->GetContactList();
+  while (edge != nullptr && !terrain.hit(*edge->contact)) edge = edge->next;
+  return edge != nullptr;
+}
 inline b2Vec2 middleOfMass(const b2Body* body) { return body->GetWorldCenter(); }
 inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
 inline void enable(b2Body* body, bool enabled) { body->SetEnabled(enabled); }

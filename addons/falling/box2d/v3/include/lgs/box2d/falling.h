@@ -4,6 +4,7 @@
 #include <lgs/box2d/falling_parts.h>
 #include <lgs/box2d/terrain.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -95,6 +96,13 @@ Position middleOfMass(Body body) {
     return b2Body_GetWorldCenterOfMass(body);
   else
     return b2Body_GetWorldCenter(body);
+}
+/// Whether a body touches the ground.
+inline bool touchesGround(const Terrain& terrain, b2BodyId body) {
+  std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(body)));
+  const int count = b2Body_GetContactData(body, contacts.data(), static_cast<int>(contacts.size()));
+  return std::any_of(contacts.begin(), contacts.begin() + count,
+                     [&](const b2ContactData& contact) { return terrain.hit(contact).has_value(); });
 }
 inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline void enable(b2BodyId body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
