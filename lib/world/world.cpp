@@ -212,8 +212,6 @@ Expected<std::uint64_t> World::clearRect(const CellRect& cells) noexcept { retur
 
 const Changes& World::commit() noexcept { return commit({}); }
 const Changes& World::commit(const Executor& executor) noexcept {
-  if (impl_->changesOfRollBack.after != 0) [[unlikely]]
-    impl_->changesOfRollBack = {};
   impl_->history.commit(executor);
 #ifndef NDEBUG
   // Now and then, as it looks at everything; not for ever, as it takes memory, and tests count what a long game takes.

@@ -224,7 +224,7 @@ class World {
 
   /// What the last rollBack() or rollForward() did to the segments, after all commits before it: the three lists
   /// of a commit, by id. One thing is different: an id that named one segment and names another one now is removed, and
-  /// then added. The lists are empty after a commit.
+  /// then added.
   const Changes& changesOfRollBack() const noexcept;
 
   /// Lets go of a mark. Other marks stay. Refused: unknownMark, also for a mark ahead, and for one that was ahead when
