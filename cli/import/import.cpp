@@ -32,7 +32,7 @@ tl::expected<std::string, std::string> pictureOf(const ImportArguments& argument
   const std::string title = std::filesystem::path(arguments.map).filename().string();
   if (!map.report.suggestions.empty()) {
     const tiled::Suggestion& next = map.report.suggestions.front();
-    const auto other = tiled::importMap(arguments.map, tiled::chosen(arguments.options, next));
+    const auto other = tiled::importMap(arguments.map, next.options);
     if (other) return drawReadings(title, map, *other, argumentsOf(next));
   }
   const oracle::Trace trace = traceOf(map);
@@ -82,7 +82,7 @@ void addImport(CLI::App& app, Action& chosen) {
   command.add_option("-o,--output", arguments->trace, "Where the trace goes; default stdout")->option_text("TRACE");
   command
       .add_option("--report", arguments->report,
-                  "Where the report goes: what was snapped, clipped, carried or\n"
+                  "Where the report goes: what was snapped, carried or\n"
                   "left out; default stdout, or stderr if the trace is on stdout")
       ->option_text("FILE");
   command

@@ -63,15 +63,6 @@ void addShapeOptions(CLI::App& command, tiled::Options& options) {
       command, "--tolerance", [&options](double pixels) { options.tolerance = pixels; }, {0, 1e6},
       "A vertex that misses the tile's rim or corner by up to this\nmany pixels is put on it; default 1")
       ->option_text("PX");
-  command
-      .add_option_function<std::string>(
-          "--outside",
-          [&options](const std::string& how) {
-            options.outside = how == "clip" ? tiled::Outside::clip : tiled::Outside::carry;
-          },
-          "What reaches out of its tile is carried into the neighbouring\ncells (the default), or clipped")
-      ->check(CLI::IsMember({"carry", "clip"}))
-      ->option_text("carry|clip");
   command.add_flag("--solid", options.solidWithoutShapes,
                    "Import a tile without collision shapes as a full square;\notherwise it is empty");
   command

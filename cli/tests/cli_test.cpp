@@ -50,7 +50,6 @@ TEST_F(Command, BadUsageIsTwo) {
   expect("check --map t --whole-every -1", 2, "'-1' is not a whole number from 0");
   expect("import t.tmx --block colour", 2, "colour");
   expect("import t.tmx --block 1", 2, "1 not in {one,class,name,layer}");
-  expect("import t.tmx --outside 1", 2, "1 not in {carry,clip}");
   expect("import t.tmx --number water", 2, "NAME=NUMBER");
   expect("import t.tmx --tolerance -1", 2, "--tolerance");
   expect("bench --rounds 0", 2, "--rounds");
@@ -224,7 +223,7 @@ TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
     expect(command, 2, "m.tmx: not imported. `lgs import` has options for maps, and writes a trace to go on with\n");
   }
   expect("import m.tmx --solid-if Hards", 2,
-         "note: no tile, tile layer or object has a property 'Hards'; there is 'hard'");
+         "note: no tile, tile layer or object has a property 'Hards'; there are 'hard'");
   expect("import m.tmx --solid-if hard --solid-if Hards --strict -o m.trace", 3,
          "IN PART: nothing has what was asked for: Hards\n");
   // A hint keeps what was asked for.

@@ -45,7 +45,6 @@ tl::expected<std::vector<std::string>, std::string> listFolder(const std::string
 tiled::Options optionsOf(const Json& json) {
   tiled::Options options;
   options.tolerance = json.value("tolerance", options.tolerance);
-  options.outside = json.value("outside", "carry") == "clip" ? tiled::Outside::clip : tiled::Outside::carry;
   options.solidWithoutShapes = json.value("solid", false);
   options.solidIf = json.value("solidIf", options.solidIf);
   const std::string from = json.value("block", "one");

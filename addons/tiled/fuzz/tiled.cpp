@@ -65,7 +65,6 @@ std::array<tiled::Options, 3> allOptions() {
     options.maxTiles = 4'096;
     options.maxPlacements = kMaxPlacements;
   }
-  all[1].outside = tiled::Outside::clip;
   all[1].blockFrom = tiled::BlockFrom::tileClass;
   all[1].tolerance = 0;
   all[1].visibleOnly = true;

@@ -3,35 +3,15 @@
 #include <algorithm>
 
 namespace lgs::tiled {
-namespace {
-
-/// One that is similar, or null. A name that differs by upper and lower case alone comes first.
-const std::string* similarOne(const std::string& name, const std::set<std::string>& names) {
-  const std::string* best = nullptr;
-  for (const std::string& other : names) {
-    const bool isSame = lower(other) == lower(name);
-    if (isSame || (!best && areSimilar(other, name))) best = &other;
-    if (isSame) break;
-  }
-  return best;
-}
-
-/// "; there is 'collides'", or nothing.
-std::string thereIs(const std::string& name, const std::set<std::string>& names) {
-  const std::string* const similar = similarOne(name, names);
-  return similar ? "; there is '" + *similar + "'" : "";
-}
-
-}  // namespace
-
-std::string thereAre(const std::string& value, const std::set<std::string>& values) {
-  if (values.empty()) return {};
-  std::vector<std::string> list;
-  const std::string* const similar = similarOne(value, values);
-  if (similar) list.push_back(inQuotes(*similar));
-  for (const std::string& other : values)
-    if (&other != similar) list.push_back(inQuotes(other));
-  return (values.size() == 1 ? "; there is " : "; there are ") + listed(list, 6);
+std::string thereAre(const std::string& name, const std::set<std::string>& names) {
+  if (names.empty()) return {};
+  std::vector<std::string> list(names.begin(), names.end());
+  const auto rank = [&](const std::string& other) {
+    return lower(other) == lower(name) ? 0 : areSimilar(other, name) ? 1 : 2;
+  };
+  std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  for (std::string& other : list) other = inQuotes(other);
+  return (list.size() == 1 ? "; there is " : "; there are ") + listed(list, 6);
 }
 
 AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
@@ -54,7 +34,7 @@ void AskedNames::see(const Tileset& tileset) {
   tilesets_.see(tileset.name);
   for (const auto& [id, tile] : tileset.tiles) {
     seeProperties(tile.properties);
-    seeClass(tile.className);
+    seeNames(tile.className, "");
     for (const CollisionObject& object : tile.objects) see(object);
   }
 }
@@ -65,17 +45,15 @@ void AskedNames::see(const Layer& layer) {
   leftOut_.see(layer.node.attribute("name").value());
   if (layer.kind == LayerKind::tiles) seeProperties(propertiesOf(layer));
   if (layer.kind != LayerKind::objects) return;
-  seeClass(classOf(layer.node));
+  seeNames(classOf(layer.node), "");
   for (const auto node : layer.node.children("object")) {
     if (!properties_.asked.empty()) seeProperties(propertiesOf(node));
-    seeClass(classOf(node));
-    seeObjectName(node.attribute("name").value());
+    seeNames(classOf(node), node.attribute("name").value());
   }
 }
 
 void AskedNames::see(const CollisionObject& object) {
-  seeClass(object.className);
-  seeObjectName(object.name);
+  seeNames(object.className, object.name);
   seeProperties(object.properties);
 }
 
@@ -87,51 +65,35 @@ void AskedNames::seeProperties(const Properties& properties) {
   }
 }
 
-void AskedNames::seeClass(const std::string& className) {
-  leftOut_.see(className);
-  if (blockFrom_ != BlockFrom::layer && !className.empty()) blocks_.see(className);
+void AskedNames::seeNames(const std::string& className, const std::string& name) {
+  for (const std::string* one : {&className, &name}) {
+    if (!one->empty()) leftOut_.see(*one);
+    const bool isBlock = blockFrom_ == BlockFrom::name || (blockFrom_ != BlockFrom::layer && one == &className);
+    if (isBlock && !one->empty()) blocks_.see(*one);
+  }
 }
 
-void AskedNames::seeObjectName(const std::string& name) {
-  leftOut_.see(name);
-  if (blockFrom_ == BlockFrom::name && !name.empty()) blocks_.see(name);
-}
-
-std::vector<std::string> AskedNames::notes() const {
-  std::vector<std::string> result;
-  const auto tell = [&](const Names& names, const std::string& before, const std::string& after, const auto& others) {
+void AskedNames::report(Report& report) const {
+  std::vector<std::string> missing;
+  const auto tell = [&](const Names& names, const std::string& before, const std::string& rule = {}) {
     for (const std::string& name : names.asked) {
-      if (!names.seen.contains(name)) result.push_back(before + "'" + name + "'" + after + others(name, names.seen));
+      if (names.seen.contains(name)) continue;
+      report.notes.push_back(before + " '" + name + "'" + thereAre(name, names.seen));
+      if (&names != &blocks_) missing.push_back(rule + name);
     }
   };
-  tell(properties_, "no tile, tile layer or object has a property ", "", thereIs);
-  for (const auto& [name, values] : values_) {
-    if (properties_.seen.contains(name))
-      tell(values, "no tile, tile layer or object has ", " as its property '" + name + "'", thereAre);
-  }
-  tell(leftOut_, "no tile, object or layer has the class or name ", ", which was to be left out", thereIs);
-  tell(tilesets_, "the map has no tileset ", ", which the table of tiles names", thereAre);
-  if (blockFrom_ == BlockFrom::one && !blocks_.asked.empty())
-    result.push_back("numbers of names are not used, as all polygons get block 1: choose whose names (--block)");
-  const char* const noBlock = blockFrom_ == BlockFrom::layer  ? "no layer has this path"
-                              : blockFrom_ == BlockFrom::name ? "no tile, object or object layer has this class or name"
-                                                              : "no tile, object or object layer has this class";
-  if (blockFrom_ != BlockFrom::one) tell(blocks_, "the number of ", std::string(" is not used: ") + noBlock, thereIs);
-  return result;
-}
-
-std::string AskedNames::notThere() const {
-  std::vector<std::string> names;
-  const auto add = [&](const Names& of, const std::string& before) {
-    for (const std::string& name : of.asked)
-      if (!of.seen.contains(name)) names.push_back(before + name);
-  };
-  add(properties_, "");
+  const std::string noProperty = "no tile, tile layer or object has a property";
+  tell(properties_, noProperty);
   for (const auto& [name, values] : values_)
-    if (properties_.seen.contains(name)) add(values, name + "=");
-  add(leftOut_, "");
-  add(tilesets_, "");
-  return names.empty() ? "" : "nothing has what was asked for: " + listed(names);
+    if (properties_.seen.contains(name)) tell(values, noProperty + " '" + name + "' with the value", name + "=");
+  tell(leftOut_, "no tile, object or layer has the class or name");
+  tell(tilesets_, "the map has no tileset");
+  if (blockFrom_ == BlockFrom::layer) tell(blocks_, "no layer has the path");
+  if (blockFrom_ == BlockFrom::name) tell(blocks_, "no tile, object or object layer has the class or name");
+  if (blockFrom_ == BlockFrom::tileClass) tell(blocks_, "no tile, object or object layer has the class");
+  if (blockFrom_ == BlockFrom::one && !blocks_.asked.empty())
+    report.notes.push_back("numbers of names are not used, as all polygons get block 1: choose whose names (--block)");
+  if (!missing.empty()) join(report.partial, "nothing has what was asked for: " + listed(missing));
 }
 
 bool areSimilar(std::string_view a, std::string_view b) {

@@ -20,11 +20,8 @@ class AskedNames {
   void see(const Layer& layer);
   void see(const CollisionObject& object);
 
-  /// A note for each name or value that nothing has which was seen.
-  std::vector<std::string> notes() const;
-
-  /// Those that decide on what is solid: "nothing has what was asked for: colides, kind=rock"; or "".
-  std::string notThere() const;
+  /// A note for each name or value that nothing has which was seen. What decides on what is solid makes a part.
+  void report(Report& report) const;
 
  private:
   struct Names {
@@ -36,16 +33,15 @@ class AskedNames {
   };
 
   void seeProperties(const Properties& properties);
-  void seeClass(const std::string& className);
-  void seeObjectName(const std::string& name);
+  void seeNames(const std::string& className, const std::string& name);
 
   BlockFrom blockFrom_;
   Names properties_, blocks_, leftOut_, tilesets_;
   std::map<std::string, Names> values_;  // of the properties whose value is asked for
 };
 
-/// "; there are 'rock', 'ice' and 3 more": the one that is similar to the value comes first. Nothing if there are none.
-std::string thereAre(const std::string& value, const std::set<std::string>& values);
+/// "; there are 'rock', 'ice' and 3 more": those that are similar to the name come first. Nothing if there are none.
+std::string thereAre(const std::string& name, const std::set<std::string>& names);
 
 /// Whether two names differ by upper and lower case, or by one edit: a letter more, another, or two swapped.
 bool areSimilar(std::string_view a, std::string_view b);

@@ -1,9 +1,8 @@
-// Files of the disk, and where they lie by their paths as they are written: links are no matter of these.
+// Where files lie by their paths as they are written: links are no matter of these.
 #pragma once
 
 #include <filesystem>
 #include <string>
-#include <tl/expected.hpp>
 
 namespace lgs::tiled {
 
@@ -18,9 +17,5 @@ std::string withoutSlash(const std::filesystem::path& folder);
 
 /// The nearest folder that holds both files.
 std::string folderOfBoth(const std::string& file, const std::string& other);
-
-/// Reads a regular file. Its path has no symbolic links in it; if it has now, that is an error. It opens nothing that
-/// could block.
-tl::expected<std::string, std::string> readRegularFile(const std::filesystem::path& path);
 
 }  // namespace lgs::tiled

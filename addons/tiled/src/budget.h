@@ -3,7 +3,7 @@
 // beyond the limits of Options, whatever is in it.
 #pragma once
 
-#include "loops.h"
+#include "pixel_grid.h"
 #include "tileset.h"
 
 #include <lgs/tiled/import.h>

@@ -161,6 +161,7 @@ class Census {
     facts.bare += uses;
     std::set<RuleFacts*> rules(ofLayer.begin(), ofLayer.end());
     rules.insert(all.rules.begin(), all.rules.end());
+    if (facts.isDrawn) rules.erase(ruleFacts("class", tile.className));  // which is the name of the layer
     for (RuleFacts* const rule : rules) {
       rule->uses += uses;
       rule->layers[facts.name] += uses;

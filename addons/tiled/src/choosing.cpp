@@ -22,31 +22,6 @@ std::vector<std::string> choosingArguments(const Options& options) {
   return result;
 }
 
-Options chosen(Options options, const Suggestion& suggestion) {
-  options.layers = options.solidIf = options.leaveOut = {};
-  options.objects.reset();
-  options.solidWithoutShapes = options.visibleOnly = false;
-  options.tiles = {};
-  options.polylineThickness = 0;
-  std::vector<std::string> objects, thickness;
-  const std::map<std::string_view, std::vector<std::string>*> lists{{"--layer", &options.layers},
-                                                                    {"--solid-if", &options.solidIf},
-                                                                    {"--not", &options.leaveOut},
-                                                                    {"--objects", &objects},
-                                                                    {"--polyline-thickness", &thickness}};
-  const std::vector<std::string>& words = suggestion.arguments;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    options.solidWithoutShapes |= words[k] == "--solid";
-    options.visibleOnly |= words[k] == "--visible";
-    if (words[k] == "--objects" || words[k] == "--no-objects") options.objects.emplace();
-    const auto list = lists.find(words[k]);
-    if (list != lists.end() && k + 1 < words.size()) list->second->push_back(words[++k]);
-  }
-  if (options.objects) *options.objects = std::move(objects);
-  if (!thickness.empty()) options.polylineThickness = parseReal(thickness.back()).value_or(0);
-  return options;
-}
-
 const LayerFacts* onlyLayer(const Facts& facts) {
   Layers all, called, fore;
   std::uint64_t passedOver = 0;  // tiles of the largest layer that its name rules out, and that is no picture
@@ -70,37 +45,29 @@ const LayerFacts* onlyLayer(const Facts& facts) {
   return isIt && !isTiny(*only) ? only : nullptr;
 }
 
-namespace {
-
-/// The values of some IntGrid layers that a test fits, with what they say and how many cells have them.
-template <class Fits>
-std::vector<std::string> valuesThat(const Layers& layers, const Fits& fits) {
+GridValues valuesOf(const Layers& layers) {
   std::map<std::string, std::uint64_t> values;
-  for (const LayerFacts* layer : layers) {
-    for (const auto& [name, uses] : layer->values) values[name] += uses;
-  }
-  const bool isWalled =
-      std::any_of(values.begin(), values.end(), [](const auto& value) { return saying(value.first).isWall(); });
-  std::vector<std::string> result;
-  for (const auto& [name, uses] : values)
-    if (fits(name, uses, isWalled) && result.size() < kMostRules) result.push_back(name);
-  return result.size() == values.size() ? std::vector<std::string>{} : result;
-}
-
-}  // namespace
-
-std::vector<std::string> valuesGoneThrough(const Layers& layers) {
-  return valuesThat(layers, [](const std::string& name, std::uint64_t, bool isWalled) {
-    return isGoneThrough(name) || (isWalled && saying(name).isFloor());
-  });
-}
-
-std::vector<std::string> floorsWithoutWalls(const Layers& layers) {
   std::uint64_t cells = 0;
-  for (const LayerFacts* layer : layers) cells += layer->cells;
-  return valuesThat(layers, [&](const std::string& name, std::uint64_t uses, bool isWalled) {
-    return !isWalled && saying(name).isFloor() && 2 * uses > cells;
-  });
+  bool isWalled = false;
+  for (const LayerFacts* layer : layers) {
+    cells += layer->cells;
+    for (const auto& [name, uses] : layer->values) {
+      values[name] += uses;
+      isWalled = isWalled || saying(name).isWall();
+    }
+  }
+  GridValues result;
+  for (const auto& [name, uses] : values) {
+    const bool isFloor = saying(name).isFloor();
+    if (isGoneThrough(name) || (isWalled && isFloor)) result.through.push_back(name);
+    if (isWalled && !saying(name).isWall()) result.noWalls.push_back(name);
+    if (!isWalled && isFloor && 2 * uses > cells) result.floors.push_back(name);
+  }
+  for (std::vector<std::string>* const list : {&result.through, &result.noWalls, &result.floors}) {
+    if (list->size() == values.size()) list->clear();
+    if (list->size() > kMostRules) list->resize(kMostRules);
+  }
+  return result;
 }
 
 bool leaveChoice(const Options& options) {
@@ -150,9 +117,9 @@ Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& c
           std::move(more), "the same with all of tile layer " + layer.name};
 }
 
-Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
+Missed missedObjects(const LayerFacts& layer, const Facts& facts, const Choice& choice) {
   Options more = choice.options;
-  if (!more.objects) more.objects.emplace();
+  if (!more.objects) more.objects = more.layers.empty() ? namesOfSaying(facts) : std::vector<std::string>{};
   more.objects->push_back(layer.name);
   return {"object layer " + layer.name + ", of which nothing is taken", std::move(more),
           "the same with object layer " + layer.name};
@@ -185,7 +152,8 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
     const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
     const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
     const bool isPlain = !choice.options.layers.empty() && isPlainLayer(layer);
-    if (!says && !isPlain && !(areBoxes && layer.classes.empty())) continue;
+    const bool isWater = isOfObjects && facts.isLdtk && isGoneThrough(layer.name) && !layer.isPassable;
+    if (!says && !isPlain && !isWater && !(areBoxes && layer.classes.empty())) continue;
     if (says && isOfObjects && !isDrawnByHand(layer)) continue;
     const bool due = says && isDue(layer, choice, facts.isLdtk);
     const auto add = [&](Missed one, bool isPart = true) {
@@ -198,8 +166,8 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
       if (!isWhole) add(missedTiles(layer, tiles, choice), 4 * tiles < 3 * layer.tiles);
       continue;
     }
-    if (facts.isLdtk && !due) continue;
-    if (!isTaken(layer, choice.options, facts.isLdtk) && layer.objects > 0) add(missedObjects(layer, choice));
+    if (facts.isLdtk && !due && !isWater) continue;
+    if (!isTaken(layer, choice.options, facts.isLdtk) && layer.objects > 0) add(missedObjects(layer, facts, choice));
     if (says && options.polylineThickness == 0 && layer.lines > 0) add(missedLines(layer, choice, options));
   }
   std::stable_partition(result.begin(), result.end(), [](const Missed& one) { return one.isDue; });

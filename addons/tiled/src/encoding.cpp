@@ -3,6 +3,7 @@
 #define ZLIB_CONST  // zlib then takes its input as const
 #include <zlib.h>
 #include <zstd.h>
+#include <zstd_errors.h>
 #include <algorithm>
 #include <charconv>
 
@@ -11,13 +12,14 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
+using Error = tl::unexpected<std::string>;
+
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-std::string wrongCount(std::size_t found, std::size_t count) {
-  return concat("holds ", found, " tiles where its size asks for ", count);
+Error wrongCount(std::size_t found, std::size_t count) {
+  return Error(found > count ? concat("holds more than the ", count, " tiles of its size")
+                             : concat("holds ", found, " tiles where its size asks for ", count));
 }
-
-std::string tooMany(std::size_t count) { return concat("holds more than the ", count, " tiles of its size"); }
 
 tl::expected<Bytes, std::string> base64Bytes(std::string_view text) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -28,7 +30,7 @@ tl::expected<Bytes, std::string> base64Bytes(std::string_view text) {
   for (const char c : text.substr(0, text.find_last_not_of("= \t\r\n") + 1)) {
     if (isBlank(c)) continue;
     const std::size_t value = kDigits.find(c);
-    if (value == std::string_view::npos) return tl::unexpected<std::string>("is not valid base64");
+    if (value == std::string_view::npos) return Error("is not valid base64");
     bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xFFFFFF;
     held += 6;
     if (held < 8) continue;
@@ -38,37 +40,29 @@ tl::expected<Bytes, std::string> base64Bytes(std::string_view text) {
   return bytes;
 }
 
-/// zlib and gzip streams, told apart by zlib itself.
-tl::expected<Bytes, std::string> inflated(const Bytes& packed, std::size_t size) {
-  constexpr std::size_t kBestRatio = 1'032;  // of deflate. A stream that is too short for `size` gets no memory
-  if (size / kBestRatio > packed.size()) return tl::unexpected<std::string>("is too short for its size");
-  Bytes bytes(size + 1);  // a stream that fills the extra byte is too long
+/// Unpacks zlib and gzip streams, told apart by zlib itself, or those of zstd. It takes memory for `size` bytes and one
+/// more, which only a stream that is too long fills; and none for a stream that is too short for its size.
+tl::expected<Bytes, std::string> unpacked(const Bytes& packed, bool isZstd, std::size_t size) {
+  const std::size_t bestRatio = isZstd ? 1 << 15 : 1'032;  // a block of zstd of 4 bytes may stand for 128 KiB
+  if (size / bestRatio > packed.size()) return Error("is too short for its size");
+  Bytes bytes(size + 1);
+  if (isZstd) {
+    const std::size_t made = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+    if (ZSTD_getErrorCode(made) == ZSTD_error_dstSize_tooSmall) return bytes;
+    if (ZSTD_isError(made)) return Error(concat("cannot be decompressed: ", ZSTD_getErrorName(made)));
+    bytes.resize(made);
+    return bytes;
+  }
   z_stream stream{};
-  if (inflateInit2(&stream, 15 + 32) != Z_OK) return tl::unexpected<std::string>("cannot be decompressed: no memory");
+  if (inflateInit2(&stream, 15 + 32) != Z_OK) return Error("cannot be decompressed: no memory");
   stream.next_in = packed.data();
   stream.avail_in = static_cast<uInt>(packed.size());
   stream.next_out = bytes.data();
   stream.avail_out = static_cast<uInt>(bytes.size());
   const int status = inflate(&stream, Z_FINISH);
-  const std::size_t made = bytes.size() - stream.avail_out;
+  bytes.resize(bytes.size() - stream.avail_out);
   inflateEnd(&stream);
-  if (status != Z_STREAM_END && made <= size) return tl::unexpected<std::string>("cannot be decompressed: damaged");
-  bytes.resize(made);
-  return bytes;
-}
-
-tl::expected<Bytes, std::string> unzstd(const Bytes& packed, std::size_t size) {
-  const auto announced = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  if (announced == ZSTD_CONTENTSIZE_ERROR) return tl::unexpected<std::string>("is not zstd data");
-  if (announced != ZSTD_CONTENTSIZE_UNKNOWN && announced != size) {
-    return tl::unexpected(wrongCount(static_cast<std::size_t>(announced / 4), size / 4));
-  }
-  constexpr std::size_t kBestRatio = 1 << 15;  // a block of 4 bytes may stand for 128 KiB
-  if (size / kBestRatio > packed.size()) return tl::unexpected<std::string>("is too short for its size");
-  Bytes bytes(size + 1);
-  const std::size_t made = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
-  if (ZSTD_isError(made)) return tl::unexpected(concat("cannot be decompressed: ", ZSTD_getErrorName(made)));
-  bytes.resize(made);
+  if (status != Z_STREAM_END && bytes.size() <= size) return Error("cannot be decompressed: damaged");
   return bytes;
 }
 
@@ -85,29 +79,25 @@ tl::expected<Gids, std::string> decodeCsv(std::string_view text, std::size_t cou
   for (skipBlanks(); at != end; skipBlanks()) {
     std::uint32_t gid = 0;
     const auto [next, status] = std::from_chars(at, end, gid);
-    if (status != std::errc{}) return tl::unexpected(concat("tile ", gids.size() + 1, " is not a tile number"));
-    if (gids.size() == count) return tl::unexpected(tooMany(count));
+    if (status != std::errc{}) return Error(concat("tile ", gids.size() + 1, " is not a tile number"));
+    if (gids.size() == count) return wrongCount(count + 1, count);
     gids.push_back(gid);
     at = next;
     skipBlanks();
     if (at == end) break;
-    if (*at++ != ',') return tl::unexpected(concat("has no comma after tile ", gids.size()));
+    if (*at++ != ',') return Error(concat("has no comma after tile ", gids.size()));
   }
-  if (gids.size() != count) return tl::unexpected(wrongCount(gids.size(), count));
+  if (gids.size() != count) return wrongCount(gids.size(), count);
   return gids;
 }
 
 tl::expected<Gids, std::string> decodeBase64(std::string_view text, std::string_view compression, std::size_t count) {
   auto bytes = base64Bytes(text);
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (compression == "zlib" || compression == "gzip") {
-    bytes = inflated(*bytes, count * 4);
-  } else if (compression == "zstd") {
-    bytes = unzstd(*bytes, count * 4);
-  }
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (bytes->size() > count * 4) return tl::unexpected(tooMany(count));
-  if (bytes->size() < count * 4) return tl::unexpected(wrongCount(bytes->size() / 4, count));
+  if (!bytes) return Error(bytes.error());
+  if (!compression.empty()) bytes = unpacked(*bytes, compression == "zstd", count * 4);
+  if (!bytes) return Error(bytes.error());
+  const bool isTooLong = bytes->size() > count * 4;
+  if (bytes->size() != count * 4) return wrongCount(isTooLong ? count + 1 : bytes->size() / 4, count);
   Gids gids(count);
   for (std::size_t i = 0; i < count; ++i) {
     const unsigned char* b = bytes->data() + 4 * i;

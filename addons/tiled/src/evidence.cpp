@@ -104,13 +104,14 @@ class Chooser {
       rest.leaveOut.insert(rest.leaveOut.end(), values.begin(), values.end());
       add(evidence, std::move(rest), text + (values.empty() ? "" : ", without " + listed(values)));
     };
-    const std::vector<std::string> floors = floorsWithoutWalls(some);
-    if (!floors.empty()) without(Evidence::objectLayer, floors);
-    const std::vector<std::string> through = valuesGoneThrough(some);
-    without(floors.empty() ? Evidence::solid : Evidence::objectLayer, through);
+    const auto [through, noWalls, floors] = valuesOf(some);
+    const bool isDecided = floors.empty();
+    if (!isDecided) without(Evidence::offered, floors);
+    without(isDecided ? Evidence::solid : Evidence::offered, through);
+    if (!noWalls.empty() && noWalls != through) without(Evidence::offered, noWalls);
     if (some.size() == all.size()) options.objects.emplace();  // all values, as whoever chooses gets them
-    if (!through.empty()) without(floors.empty() ? Evidence::solid : Evidence::objectLayer, {});
-    return floors.empty();
+    if (!through.empty()) without(isDecided ? Evidence::solid : Evidence::offered, {});
+    return isDecided;
   }
 
   /// Layers of a kind that say so, and hold what could be solid.
@@ -127,16 +128,17 @@ class Chooser {
   /// In LDtk each kind of entity is a layer of its own.
   bool isMixed(const LayerFacts& layer) const { return !facts_.isLdtk && layer.isMixed(); }
 
-  /// Floors beside walls are what one walks on, seen from above, unless they are smaller together.
+  /// Floors beside walls are what one walks on, seen from above, if they fill together a quarter of the map.
   bool isWalkedOn(const LayerFacts& floor) const {
     if (!floor.saying.isFloor()) return false;
-    std::uint64_t walls = 0, floors = 0;
+    bool isWalled = false;
+    double floors = 0;
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.kind != LayerKind::tiles) continue;
-      if (layer.saying.isWall() && !isFull(layer)) walls += layer.tiles;
-      if (layer.saying.isFloor()) floors += layer.tiles;
+      isWalled = isWalled || (layer.saying.isWall() && !isFull(layer) && layer.tiles > 0);
+      if (layer.saying.isFloor()) floors += layer.share();
     }
-    return walls > 0 && floors > walls;
+    return isWalled && floors > 0.25;
   }
 
   /// All that says collision, each tile by its own shape or as a square; then each kind of it by itself.
@@ -280,7 +282,7 @@ class Chooser {
           if (other.kind == LayerKind::tiles && other.tiles > 0) options.leaveOut.push_back(other.name);
         }
       }
-      add(Evidence::objectLayer, std::move(options),
+      add(Evidence::offered, std::move(options),
           "object layer " + layer.name + ", " + counted(layer.objects, "object") + ": nothing says what it is");
     }
   }
@@ -298,7 +300,7 @@ class Chooser {
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
     for (const LayerFacts* layer : layers) {
-      add(Evidence::tileLayer, wholeLayers({layer}),
+      add(Evidence::offered, wholeLayers({layer}),
           "tile layer " + layer->name + ", " + percent(layer->share()) + " of the map: nothing says what it is");
     }
   }

@@ -14,11 +14,10 @@ inline bool isFull(const LayerFacts& layer) {
 
 /// The groups of evidence, the strongest first. Those of one group are taken together, and those of two never are.
 enum class Evidence : std::uint8_t {
-  solid,        ///< shapes of tiles; layers, classes and properties that say collision
-  ground,       ///< those that say ground or wall
-  onlyLayer,    ///< the only tile layer that could be it, and it is half empty
-  objectLayer,  ///< nothing but objects with an area; it is offered and not taken
-  tileLayer,    ///< nothing but tiles; likewise
+  solid,      ///< shapes of tiles; layers, classes and properties that say collision
+  ground,     ///< those that say ground or wall
+  onlyLayer,  ///< the only tile layer that could be it, and it is half empty
+  offered,    ///< nothing but tiles, or objects with an area; it is offered and not taken
 };
 
 /// A choice that could be made.
@@ -46,20 +45,21 @@ inline bool isDrawnByHand(const LayerFacts& layer) { return layer.objects > laye
 inline bool areThings(const LayerFacts& layer) { return layer.isForOther || 2 * layer.named > layer.objects; }
 
 /// The only tile layer that could be solid, in a map that says nothing, or the only one of several that is called
-/// "level" or the like, or a foreground beside nothing but backgrounds; or null. It must be half empty: a layer that fills the map is a picture, or its tiles mean
-/// different things. If a layer that its name rules out has more in it, or it has next to nothing, nobody can tell.
+/// "level" or the like, or a foreground beside nothing but backgrounds; or null. It must be half empty: a layer that
+/// fills the map is a picture, or its tiles mean different things. If a layer that its name rules out has more in it, or
+/// it has next to nothing, nobody can tell.
 const LayerFacts* onlyLayer(const Facts& facts);
 
 /// Whether a layer has so little in it that it is hardly the ground.
 inline bool isTiny(const LayerFacts& layer) { return layer.share() < 0.03; }
 
-/// Values of IntGrid layers that are not solid beside the others: those that bodies go through, and a floor beside
-/// walls.
-std::vector<std::string> valuesGoneThrough(const Layers& layers);
-
-/// The values of IntGrid layers that are called a floor and fill most of their layer, if there are no walls: nobody can
-/// tell whether one stands on it, or walks on it as seen from above.
-std::vector<std::string> floorsWithoutWalls(const Layers& layers);
+/// Values of IntGrid layers that are not solid, if there are others.
+struct GridValues {
+  std::vector<std::string> through;  ///< bodies go through them, or they are a floor beside walls
+  std::vector<std::string> noWalls;  ///< all that have no such name beside walls: bodies may walk on them
+  std::vector<std::string> floors;   ///< a floor that fills most, without walls: bodies may stand on it, or walk on it
+};
+GridValues valuesOf(const Layers& layers);
 
 /// All choices, the strongest first.
 std::vector<Choice> choices(const Facts& facts, const Options& options);

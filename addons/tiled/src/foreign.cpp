@@ -5,9 +5,6 @@
 namespace lgs::tiled {
 namespace {
 
-/// What tells a file: the beginning of a text, the name of an XML root, or a key of a JSON object.
-enum class Sign : std::uint8_t { text, xml, json };
-
 struct Known {
   Sign kind;
   std::string_view sign;
@@ -42,26 +39,12 @@ constexpr std::array kKnown{
     Known{Sign::json, "frames", "an atlas of sprites, and no map"},
 };
 
-/// The message about a file that has one of the signs of a kind; "" if it has none.
-template <class Has>
-std::string messageOf(Sign kind, const Has& has) {
+}  // namespace
+
+std::string foreign(Sign kind, const std::function<bool(std::string_view sign)>& has) {
   for (const Known& one : kKnown)
     if (one.kind == kind && has(one.sign)) return isForeign(one.what);
   return {};
-}
-
-}  // namespace
-
-std::string foreignText(std::string_view text) {
-  return text.empty() ? isForeign("empty") : messageOf(Sign::text, [&](auto sign) { return text.starts_with(sign); });
-}
-
-std::string foreignXml(std::string_view rootName) {
-  return messageOf(Sign::xml, [&](auto sign) { return rootName == sign; });
-}
-
-std::string foreignJson(const Json& root) {
-  return messageOf(Sign::json, [&](auto sign) { return root.is_object() && root.contains(sign); });
 }
 
 std::string isForeign(std::string_view what) {

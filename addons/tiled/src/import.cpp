@@ -36,7 +36,8 @@ class Import {
     for (const auto& map : maps_) {
       if (!failed()) readMap(*map);
     }
-    if (!failed()) names_.checkAll(first_);
+    if (!failed()) names_.tiles.checkAll(first_, "tile");
+    if (!failed()) names_.objects.checkAll(first_, "object");
     if (!failed()) placer_.finish(map_);
     if (!failed()) checkBudget(first_.root());
     if (failed()) return tl::unexpected(*first_.error());
@@ -61,18 +62,210 @@ class Import {
 
   bool failed() const { return first_.failed(); }
   const XmlFile& file() const { return *source_->file; }
-  void checkOptions();
-  void readMap(MapSource& source);
-  void readHead();
-  void readTileLayer(const Layer& layer, std::uint32_t index);
-  void readObjectLayer(const Layer& layer, std::uint32_t index);
-  bool spend(std::size_t placements);
-  void checkBudget(pugi::xml_node node);
-  void placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid);
-  Ready readyTile(const CurrentLayer& layer, const Tileset& tileset, std::uint32_t gid);
-  Block blockOf(const std::string& className, const Layer& layer);
-  std::uint32_t reportOf(const Tileset& tileset, std::uint32_t number);
-  void finish();
+
+  void checkOptions() {
+    const auto check = [&](double value, const char* what, const char* option) {
+      if (!(value >= 0 && std::isfinite(value))) first_.fail({}, concat("the ", what, " should be 0 or more"), option);
+    };
+    check(options_.tolerance, "tolerance", "tolerance");
+    check(options_.polylineThickness, "thickness of polylines", "polylineThickness");
+  }
+
+  void readMap(MapSource& source) {
+    source_ = &source;
+    carried_.clear();
+    readHead();
+    if (failed()) return;
+    const std::vector<Layer> layers = listLayers(file(), options_, source.place, names_);
+    const auto first = static_cast<std::uint32_t>(map_.report.layers.size());
+    for (const Layer& layer : layers) {
+      LayerReport& report = map_.report.layers.emplace_back();
+      report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
+      asked_.see(layer);
+      for (const auto node : layer.node.children("object")) report.objects += !node.empty();
+    }
+    const auto read = [&](LayerKind kind, auto&& readLayer) {
+      for (std::uint32_t k = 0; k < layers.size(); ++k) {
+        if (!failed() && layers[k].wanted && layers[k].kind == kind) readLayer(layers[k], first + k);
+      }
+    };
+    read(LayerKind::tiles, [&](const Layer& layer, std::uint32_t index) { readTileLayer(layer, index); });
+    for (const auto& [cell, entry] : carried_) placer_.place(cell, entry);
+    read(LayerKind::objects, [&](const Layer& layer, std::uint32_t index) { readObjectLayer(layer, index); });
+  }
+
+  void readHead() {
+    constexpr std::int64_t kMaxSide = 1 << 28, kMaxPixels = 1 << 16;
+    const auto root = file().root();
+    const auto number = [&](const char* name, std::optional<std::int64_t> fallback, std::int64_t min,
+                            std::int64_t max) {
+      return static_cast<int>(file().integer(root, name, fallback, min, max));
+    };
+    const int width = number("width", 0, 0, kMaxSide), height = number("height", 0, 0, kMaxSide);
+    const int tileWidth = number("tilewidth", {}, 1, kMaxPixels), tileHeight = number("tileheight", {}, 1, kMaxPixels);
+    Report& report = map_.report;
+    const bool isFirst = source_ == maps_.front().get();
+    if (!isFirst && (tileWidth != report.tileWidth || tileHeight != report.tileHeight)) {
+      return first_.fail(source_->entry.node,
+                         source_->entry.name +
+                             " has tiles of another size than the maps before it. One tile becomes one "
+                             "cell of the world, so all must have the same");
+    }
+    report.tileWidth = tileWidth;
+    report.tileHeight = tileHeight;
+    report.infinite = report.infinite || root.attribute("infinite").as_bool();
+    const DoublePoint tile{static_cast<double>(tileWidth), static_cast<double>(tileHeight)};
+    grid_ = {tile, {std::min(options_.tolerance, tile.x / 4), std::min(options_.tolerance, tile.y / 4)}};
+    report.tolerance = std::max(grid_.tolerance.x, grid_.tolerance.y);
+    const DoublePoint at{source_->place.offset.x / tile.x, source_->place.offset.y / tile.y};
+    min_ = isFirst ? at : DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)};
+    max_ = {isFirst ? at.x + width : std::max(max_.x, at.x + width),
+            isFirst ? at.y + height : std::max(max_.y, at.y + height)};
+  }
+
+  void readObjectLayer(const Layer& layer, std::uint32_t index) {
+    std::vector<Note>& notes = map_.report.layers[index].notes;
+    const std::string ofLayer = classOf(layer.node);
+    const auto place = [&](const CollisionObject& object, const std::vector<Outline>& outlines) {
+      asked_.see(object);
+      const Block block = blockOf(object.className.empty() ? ofLayer : object.className, layer);
+      constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
+      cutObject(object, outlines, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
+        if (!failed() && spend(1))
+          placer_.place(cell, placer_.entry({{}, block, placer_.shape(ring), kNoTile, object.id, index}));
+      });
+    };
+    readObjects(*source_, layer, options_, budget_, place);
+    checkBudget(layer.node);
+  }
+
+  /// Nothing is done that the budget has no steps for. Then the import fails here.
+  void checkBudget(pugi::xml_node node) {
+    if (budget_.isOutOfCells()) {
+      file().fail(node, "its shapes are larger than the limit for a map of this size", "maxObjectCells");
+    } else if (budget_.isOutOfWork()) {
+      file().fail(node, "its shapes meet so often that they take more work than the limit for a map of this size",
+                  "maxWork");
+    }
+  }
+
+  bool spend(std::size_t placements) {
+    const bool enough = placements <= left_.placements;
+    if (!enough) file().fail(file().root(), "the map has more polygons than the limit", "maxPlacements");
+    left_.placements -= enough ? placements : 0;
+    return enough;
+  }
+
+  Block blockOf(const std::string& className, const Layer& layer) {
+    if (options_.blockFrom == BlockFrom::one) return 1;
+    return blocks_.of(options_.blockFrom == BlockFrom::layer ? layer.pathInMap : className);
+  }
+
+  void readTileLayer(const Layer& layer, std::uint32_t index) {
+    const double columns = std::round(layer.offset.x / grid_.tile.x), rows = std::round(layer.offset.y / grid_.tile.y);
+    constexpr double kMost = 1 << 27;  // together with the largest place of a chunk it stays below kMaxCell
+    if (!(std::fabs(columns) <= kMost && std::fabs(rows) <= kMost)) {
+      return file().fail(layer.node, "its offset is too large");
+    }
+    CurrentLayer current{layer,
+                         index,
+                         static_cast<std::int64_t>(columns),
+                         static_cast<std::int64_t>(rows),
+                         {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y},
+                         propertiesOf(layer)};
+    LayerReport& report = map_.report.layers[index];
+    if (current.rest.x != 0 || current.rest.y != 0) {
+      report.note = concat("shifted by ", pixels(current.rest.x), ", ", pixels(current.rest.y),
+                           " against the grid: its polygons reach out of their cells");
+    }
+    readTiles(file(), layer, left_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
+      ++report.tiles;
+      placeTile(current, column + current.columns, row + current.rows, gid);
+    });
+  }
+
+  void placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid) {
+    auto ready = layer.ready.find(gid);
+    if (ready == layer.ready.end()) {
+      const Tileset* const tileset = source_->tilesets.of(tileNumber(gid));
+      strayTiles_ += tileset == nullptr;
+      if (!tileset) return;
+      ready = layer.ready.emplace(gid, readyTile(layer, *tileset, gid)).first;
+      checkBudget(layer.layer.node);
+      if (failed()) return;
+    }
+    ++map_.report.tiles[ready->second.report].uses;
+    if (!spend(ready->second.parts.size())) return;
+    for (const auto& [shift, entry] : ready->second.parts) {
+      const Cell cell{static_cast<std::int32_t>(column + shift.i), static_cast<std::int32_t>(-1 - row + shift.j)};
+      shift == Cell{} ? placer_.place(cell, entry) : carried_.push_back({cell, entry});
+    }
+  }
+
+  Ready readyTile(const CurrentLayer& layer, const Tileset& tileset, std::uint32_t gid) {
+    const std::uint32_t id = tileNumber(gid) - tileset.firstGid;
+    Ready result{reportOf(tileset, id)};
+    TileReport& report = map_.report.tiles[result.report];
+    if (!budget_.tile(tileset, id)) return result;
+    Tile tile = tileAt(tileset, id);
+    const bool isSolid = isSolidAsAsked(tile, layer.properties, options_);
+    report.isSolid = report.isSolid || isSolid;
+    if (report.layers.empty() || report.layers.back() != layer.index) report.layers.push_back(layer.index);
+    if (isSolid) tile.objects.push_back(fullSquare(tile));
+    ImageFrame frame{
+        tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
+    if (tileset.fitToGrid) frame.scaleTo(grid_.tile);
+    std::vector<Note> notes;
+    cutTile(tile, frame, grid_, options_, budget_, notes,
+            [&](Cell shift, const Polygon& ring, const CollisionObject& object) {
+              const Block block = blockOf(object.className, layer.layer);
+              const auto entry = placer_.entry({{}, block, placer_.shape(ring), result.report, object.id, layer.index});
+              result.parts.push_back({shift, entry});
+            });
+    if (report.notes.empty()) report.notes = std::move(notes);  // flipped another way it has the same notes
+    return result;
+  }
+
+  /// The report of a tile. Maps of a world may share it.
+  std::uint32_t reportOf(const Tileset& tileset, std::uint32_t id) {
+    const Tile& tile = tileset.tile(id);
+    std::vector<TileReport>& tiles = map_.report.tiles;
+    const auto next = static_cast<std::uint32_t>(tiles.size());
+    const auto [at, isNew] = reports_.try_emplace({tileset.name, id, tile.className}, next);
+    if (!isNew) return at->second;
+    TileReport& report = tiles.emplace_back();
+    report.tileset = tileset.name;
+    report.id = id;
+    report.className = tile.className;
+    report.isLeftOut = isLeftOut(tile, options_);
+    report.hasShapes = !report.isLeftOut && !tile.objects.empty();
+    return next;
+  }
+
+  void finish() {
+    Report& report = map_.report;
+    const auto side = [](double tiles) { return static_cast<int>(std::min(std::ceil(tiles), double{1 << 30})); };
+    report.width = side(max_.x - min_.x);
+    report.height = side(max_.y - min_.y);
+    for (const auto& map : maps_) {
+      for (const Tileset& tileset : map->tilesets.all()) {
+        asked_.see(tileset);
+        if (report.partial.find(tileset.missing) == std::string::npos) join(report.partial, tileset.missing);
+      }
+      for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
+    }
+    if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
+    if (strayTiles_ > 0) report.notes.push_back(concat(strayTiles_, " tiles belong to no tileset of the map"));
+    const auto sort = [](std::vector<Note>& notes) {
+      std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
+        return std::pair(a.kind, a.object) < std::pair(b.kind, b.object);
+      });
+    };
+    for (TileReport& tile : report.tiles) sort(tile.notes);
+    for (LayerReport& layer : report.layers) sort(layer.notes);
+    blocks_.report(map_);
+    asked_.report(report);
+  }
 
   const Options& options_;
   const XmlFile& first_;  // the map or the world
@@ -91,213 +284,8 @@ class Import {
 
   // Of the map that is read.
   MapSource* source_ = nullptr;
-  std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;  // by tile number
   std::vector<std::pair<Cell, Placer::EntryId>> carried_;
 };
-
-void Import::checkOptions() {
-  const auto check = [&](double value, const char* what, const char* option) {
-    if (!(value >= 0 && std::isfinite(value))) first_.fail({}, concat("the ", what, " should be 0 or more"), option);
-  };
-  check(options_.tolerance, "tolerance", "tolerance");
-  check(options_.polylineThickness, "thickness of polylines", "polylineThickness");
-}
-
-void Import::readMap(MapSource& source) {
-  source_ = &source;
-  reportIndex_.clear();
-  carried_.clear();
-  readHead();
-  if (failed()) return;
-  const std::vector<Layer> layers = listLayers(file(), options_, source.place, names_);
-  const auto first = static_cast<std::uint32_t>(map_.report.layers.size());
-  for (const Layer& layer : layers) {
-    LayerReport& report = map_.report.layers.emplace_back();
-    report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
-    asked_.see(layer);
-    for (const auto node : layer.node.children("object")) report.objects += !node.empty();
-  }
-  const auto read = [&](LayerKind kind, auto&& readLayer) {
-    for (std::uint32_t k = 0; k < layers.size(); ++k) {
-      if (!failed() && layers[k].wanted && layers[k].kind == kind) readLayer(layers[k], first + k);
-    }
-  };
-  read(LayerKind::tiles, [&](const Layer& layer, std::uint32_t index) { readTileLayer(layer, index); });
-  for (const auto& [cell, entry] : carried_) placer_.place(cell, entry);
-  read(LayerKind::objects, [&](const Layer& layer, std::uint32_t index) { readObjectLayer(layer, index); });
-}
-
-void Import::readHead() {
-  constexpr std::int64_t kMaxSide = 1 << 28, kMaxPixels = 1 << 16;
-  const auto root = file().root();
-  const auto number = [&](const char* name, std::optional<std::int64_t> fallback, std::int64_t min, std::int64_t max) {
-    return static_cast<int>(file().integer(root, name, fallback, min, max));
-  };
-  const int width = number("width", 0, 0, kMaxSide), height = number("height", 0, 0, kMaxSide);
-  const int tileWidth = number("tilewidth", {}, 1, kMaxPixels), tileHeight = number("tileheight", {}, 1, kMaxPixels);
-  Report& report = map_.report;
-  const bool isFirst = source_ == maps_.front().get();
-  if (!isFirst && (tileWidth != report.tileWidth || tileHeight != report.tileHeight)) {
-    return first_.fail(source_->entry.node,
-                       source_->entry.name +
-                           " has tiles of another size than the maps before it. One tile becomes one "
-                           "cell of the world, so all must have the same");
-  }
-  report.tileWidth = tileWidth;
-  report.tileHeight = tileHeight;
-  report.infinite = report.infinite || root.attribute("infinite").as_bool();
-  const DoublePoint tile{static_cast<double>(tileWidth), static_cast<double>(tileHeight)};
-  grid_ = {tile, {std::min(options_.tolerance, tile.x / 4), std::min(options_.tolerance, tile.y / 4)}};
-  report.tolerance = std::max(grid_.tolerance.x, grid_.tolerance.y);
-  const DoublePoint at{source_->place.offset.x / tile.x, source_->place.offset.y / tile.y};
-  min_ = isFirst ? at : DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)};
-  max_ = {isFirst ? at.x + width : std::max(max_.x, at.x + width),
-          isFirst ? at.y + height : std::max(max_.y, at.y + height)};
-}
-
-void Import::readObjectLayer(const Layer& layer, std::uint32_t index) {
-  std::vector<Note>& notes = map_.report.layers[index].notes;
-  readObjects(*source_, layer, options_, budget_, [&](const MapShape& shape) {
-    asked_.see(shape.object);
-    Placer::Entry entry{0, blockOf(shape.object.className, layer), kNoTile, shape.object.id, index};
-    constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
-    cutObject(shape.object, shape.outlines, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
-      if (failed() || !spend(1)) return;
-      entry.shape = placer_.shape(ring);
-      placer_.place(cell, placer_.entry(entry));
-    });
-  });
-  checkBudget(layer.node);
-}
-
-/// Nothing is done that the budget has no steps for. Then the import fails here.
-void Import::checkBudget(pugi::xml_node node) {
-  if (budget_.isOutOfCells()) {
-    file().fail(node, "its shapes are larger than the limit for a map of this size", "maxObjectCells");
-  } else if (budget_.isOutOfWork()) {
-    file().fail(node, "its shapes meet so often that they take more work than the limit for a map of this size",
-                "maxWork");
-  }
-}
-
-bool Import::spend(std::size_t placements) {
-  const bool enough = placements <= left_.placements;
-  if (!enough) file().fail(file().root(), "the map has more polygons than the limit", "maxPlacements");
-  left_.placements -= enough ? placements : 0;
-  return enough;
-}
-
-Block Import::blockOf(const std::string& className, const Layer& layer) {
-  if (options_.blockFrom == BlockFrom::one) return 1;
-  return blocks_.of(options_.blockFrom == BlockFrom::layer ? layer.pathInMap : className);
-}
-
-void Import::readTileLayer(const Layer& layer, std::uint32_t index) {
-  const double columns = std::round(layer.offset.x / grid_.tile.x), rows = std::round(layer.offset.y / grid_.tile.y);
-  constexpr double kMost = 1 << 27;  // together with the largest place of a chunk it stays below kMaxCell
-  if (!(std::fabs(columns) <= kMost && std::fabs(rows) <= kMost)) {
-    return file().fail(layer.node, "its offset is too large");
-  }
-  CurrentLayer current{layer,
-                       index,
-                       static_cast<std::int64_t>(columns),
-                       static_cast<std::int64_t>(rows),
-                       {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y},
-                       propertiesOf(layer)};
-  LayerReport& report = map_.report.layers[index];
-  if (current.rest.x != 0 || current.rest.y != 0) {
-    report.note = concat("shifted by ", pixels(current.rest.x), ", ", pixels(current.rest.y),
-                         " against the grid: its polygons reach out of their cells");
-  }
-  readTiles(file(), layer, left_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
-    ++report.tiles;
-    placeTile(current, column + current.columns, row + current.rows, gid);
-  });
-}
-
-void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid) {
-  auto ready = layer.ready.find(gid);
-  if (ready == layer.ready.end()) {
-    const Tileset* const tileset = source_->tilesets.of(tileNumber(gid));
-    strayTiles_ += tileset == nullptr;
-    if (!tileset) return;
-    ready = layer.ready.emplace(gid, readyTile(layer, *tileset, gid)).first;
-    checkBudget(layer.layer.node);
-    if (failed()) return;
-  }
-  ++map_.report.tiles[ready->second.report].uses;
-  if (!spend(ready->second.parts.size())) return;
-  for (const auto& [shift, entry] : ready->second.parts) {
-    const Cell cell{static_cast<std::int32_t>(column + shift.i), static_cast<std::int32_t>(-1 - row + shift.j)};
-    shift == Cell{} ? placer_.place(cell, entry) : carried_.push_back({cell, entry});
-  }
-}
-
-Import::Ready Import::readyTile(const CurrentLayer& layer, const Tileset& tileset, std::uint32_t gid) {
-  const std::uint32_t number = tileNumber(gid);
-  Ready result{reportOf(tileset, number)};
-  TileReport& report = map_.report.tiles[result.report];
-  if (!budget_.tile(tileset, number - tileset.firstGid)) return result;
-  Tile tile = tileAt(tileset, number - tileset.firstGid);
-  const bool isSolid = isSolidAsAsked(tile, layer.properties, options_);
-  report.isSolid = report.isSolid || isSolid;
-  if (report.layers.empty() || report.layers.back() != layer.index) report.layers.push_back(layer.index);
-  if (isSolid) tile.objects.push_back(fullSquare(tile));
-  ImageFrame frame{tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
-  if (tileset.fitToGrid) frame.scaleTo(grid_.tile);
-  const TileParts all = tileParts(tile, frame, grid_, options_, budget_);
-  if (report.notes.empty()) report.notes = all.notes;  // the same tile flipped another way has the same notes
-  for (const TilePart& part : all.parts) {
-    const Placer::Entry entry{placer_.shape(part.ring), blockOf(part.className, layer.layer), result.report,
-                              part.object, layer.index};
-    result.parts.push_back({part.shift, placer_.entry(entry)});
-  }
-  return result;
-}
-
-/// The index of a tile in the report. Maps of a world may share it.
-std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
-  const auto [known, isNew] = reportIndex_.try_emplace(number, 0);
-  if (!isNew) return known->second;
-  TileReport report;
-  report.tileset = tileset.name;
-  report.id = number - tileset.firstGid;
-  const Tile& tile = tileset.tile(report.id);
-  report.className = tile.className;
-  report.isLeftOut = isLeftOut(tile, options_);
-  report.hasShapes = !report.isLeftOut && !tile.objects.empty();
-  std::vector<TileReport>& tiles = map_.report.tiles;
-  const auto next = static_cast<std::uint32_t>(tiles.size());
-  const auto [at, isFirst] = reports_.try_emplace({report.tileset, report.id, report.className}, next);
-  if (isFirst) tiles.push_back(std::move(report));
-  return known->second = at->second;
-}
-
-void Import::finish() {
-  Report& report = map_.report;
-  const auto side = [](double tiles) { return static_cast<int>(std::min(std::ceil(tiles), double{1 << 30})); };
-  report.width = side(max_.x - min_.x);
-  report.height = side(max_.y - min_.y);
-  for (const auto& map : maps_) {
-    for (const Tileset& tileset : map->tilesets.all()) {
-      asked_.see(tileset);
-      if (report.partial.find(tileset.missing) == std::string::npos) join(report.partial, tileset.missing);
-    }
-    for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
-  }
-  if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
-  if (strayTiles_ > 0) report.notes.push_back(concat(strayTiles_, " tiles belong to no tileset of the map"));
-  const auto sort = [](std::vector<Note>& notes) {
-    std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
-      return std::pair(a.kind, a.object) < std::pair(b.kind, b.object);
-    });
-  };
-  for (TileReport& tile : report.tiles) sort(tile.notes);
-  for (LayerReport& layer : report.layers) sort(layer.notes);
-  blocks_.report(map_);
-  join(report.partial, asked_.notThere());
-  for (std::string& note : asked_.notes()) report.notes.push_back(std::move(note));
-}
 
 }  // namespace
 

@@ -55,11 +55,6 @@ class WholeImport {
   }
 
  private:
-  void open();
-  tl::expected<std::string, std::string> read(const std::string& name);
-  std::unique_ptr<const XmlFile> openMapOf(const WorldMap& entry);
-  void openWorld();
-
   void takeCensus() {
     std::size_t tiles = options_.maxTiles;
     if (!error_) facts_ = census(maps_, options_, tiles);
@@ -142,7 +137,7 @@ class WholeImport {
     if (!isSpent_) budget_ = budget;
     error_.reset();  // nothing but an offer that is not made
     if (other && !other->placements.empty() && !isSameGround(map, *other))
-      map.report.suggestions.push_back({text, std::move(arguments), other->placements.size()});
+      map.report.suggestions.push_back({text, std::move(arguments), other->placements.size(), std::move(options)});
   }
 
   /// All that could be taken; first what is hidden, if it was to be left out.
@@ -184,6 +179,69 @@ class WholeImport {
       if (report.suggestions.empty()) offer(map, choice.options, choice.text);
   }
 
+  /// Reads the map, and what it names. A problem is kept.
+  void open() {
+    auto file = std::make_unique<const XmlFile>(path_, reader_, "map", error_, Quoting{true, options_.filesAnywhere});
+    if (error_) return;
+    if (std::string_view(file->root().name()) == "world") {
+      world_ = std::move(file);
+      openWorld();
+    } else {
+      maps_.push_back(std::make_unique<MapSource>(std::move(file), MapPlace{}, options_));
+    }
+  }
+
+  tl::expected<std::string, std::string> read(const std::string& name) {
+    const std::string folder = options_.filesIn.empty() ? folderOf(path_) : options_.filesIn;
+    if (!options_.filesAnywhere && name != path_ && !liesBelow(folder, name)) {
+      return tl::unexpected(concat(kNotInFolder, folder.empty() ? "." : folder,
+                                   ". If the map can be trusted: Options::filesIn = ", folderOfBoth(path_, name)));
+    }
+    auto text = ofUser_(name);
+    if (text && !budget_.read(text->size())) {
+      return tl::unexpected<std::string>("the files of the map are larger together than the limit (Options::maxBytes)");
+    }
+    return text;
+  }
+
+  /// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
+  std::unique_ptr<const XmlFile> openMapOf(const WorldMap& entry) {
+    auto file = std::make_unique<const XmlFile>(*world_, entry.name, "map", error_);
+    if (error_ && !file->wasRead()) {  // the world is to blame for naming it
+      std::string what = "the map's file " + error_->file + " " + error_->what;
+      error_.reset();
+      if (!file->isMissing() || options_.allMaps) {
+        world_->fail(entry.node, std::move(what));
+      } else {
+        notes_.push_back("a map of the world is left out: " + what);
+        if (!missing_) missing_ = {entry.node, std::move(what)};
+      }
+      return nullptr;
+    }
+    if (!file->failed() &&
+        (std::string_view(file->root().name()) == "world" || file->root().attribute(kLdtkAttribute))) {
+      world_->fail(entry.node, entry.name + " is no map of Tiled's");
+    }
+    if (const std::string pattern = entry.node.attribute("regexp").value(); file->failed() && !pattern.empty()) {
+      error_->what += " (it fits the pattern " + inQuotes(pattern) + " of the world)";  // perhaps by mistake
+    }
+    if (file->failed()) return nullptr;
+    return file;
+  }
+
+  void openWorld() {
+    for (const WorldMap& entry : mapsOf(*world_, lister_, notes_)) {
+      if (error_) return;
+      auto file = openMapOf(entry);
+      if (!file) continue;
+      const MapPlace place{std::filesystem::path(entry.name).replace_extension().generic_string(), entry.at};
+      maps_.push_back(std::make_unique<MapSource>(std::move(file), place, options_));
+      if (error_) return;
+      maps_.back()->entry = entry;
+    }
+    if (maps_.empty() && missing_) world_->fail(missing_->first, missing_->second);
+  }
+
   const std::string& path_;
   const Options& options_;
   const FileReader& ofUser_;
@@ -203,68 +261,6 @@ class WholeImport {
   bool isSpent_ = false;
   std::set<std::vector<std::string>> offered_;
 };
-
-/// Reads the map, and what it names. A problem is kept.
-void WholeImport::open() {
-  auto file = std::make_unique<const XmlFile>(path_, reader_, "map", error_, Quoting{true, options_.filesAnywhere});
-  if (error_) return;
-  if (std::string_view(file->root().name()) == "world") {
-    world_ = std::move(file);
-    openWorld();
-  } else {
-    maps_.push_back(std::make_unique<MapSource>(std::move(file), MapPlace{}, options_));
-  }
-}
-
-tl::expected<std::string, std::string> WholeImport::read(const std::string& name) {
-  const std::string folder = options_.filesIn.empty() ? folderOf(path_) : options_.filesIn;
-  if (!options_.filesAnywhere && name != path_ && !liesBelow(folder, name)) {
-    return tl::unexpected(concat(kNotInFolder, folder.empty() ? "." : folder,
-                                 ". If the map can be trusted: Options::filesIn = ", folderOfBoth(path_, name)));
-  }
-  auto text = ofUser_(name);
-  if (text && !budget_.read(text->size())) {
-    return tl::unexpected<std::string>("the files of the map are larger together than the limit (Options::maxBytes)");
-  }
-  return text;
-}
-
-/// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
-std::unique_ptr<const XmlFile> WholeImport::openMapOf(const WorldMap& entry) {
-  auto file = std::make_unique<const XmlFile>(*world_, entry.name, "map", error_);
-  if (error_ && !file->wasRead()) {  // the world is to blame for naming it
-    std::string what = "the map's file " + error_->file + " " + error_->what;
-    error_.reset();
-    if (!file->isMissing() || options_.allMaps) {
-      world_->fail(entry.node, std::move(what));
-    } else {
-      notes_.push_back("a map of the world is left out: " + what);
-      if (!missing_) missing_ = {entry.node, std::move(what)};
-    }
-    return nullptr;
-  }
-  if (!file->failed() && (std::string_view(file->root().name()) == "world" || file->root().attribute(kLdtkAttribute))) {
-    world_->fail(entry.node, entry.name + " is no map of Tiled's");
-  }
-  if (const std::string pattern = entry.node.attribute("regexp").value(); file->failed() && !pattern.empty()) {
-    error_->what += " (it fits the pattern " + inQuotes(pattern) + " of the world)";  // perhaps by mistake
-  }
-  if (file->failed()) return nullptr;
-  return file;
-}
-
-void WholeImport::openWorld() {
-  for (const WorldMap& entry : mapsOf(*world_, lister_, notes_)) {
-    if (error_) return;
-    auto file = openMapOf(entry);
-    if (!file) continue;
-    const MapPlace place{std::filesystem::path(entry.name).replace_extension().generic_string(), entry.at};
-    maps_.push_back(std::make_unique<MapSource>(std::move(file), place, options_));
-    if (error_) return;
-    maps_.back()->entry = entry;
-  }
-  if (maps_.empty() && missing_) world_->fail(missing_->first, missing_->second);
-}
 
 }  // namespace
 

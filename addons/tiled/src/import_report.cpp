@@ -146,7 +146,7 @@ std::string toText(const Report& report, const std::string& command) {
   std::string out;
   appendSummary(report, command, out);
   appendHead(report, out);
-  appendNotes(report, "Left out or cut off:", NoteKind::leftOut, NoteKind::clipped, out);
+  appendNotes(report, "Left out:", NoteKind::leftOut, NoteKind::leftOut, out);
   appendNotes(report, "Changed on the way in:", NoteKind::carried, NoteKind::snapped, out);
   appendNotes(report, "Worth a look:", NoteKind::takenBack, NoteKind::hidden, out);
   appendShapeless(report, true, "Full squares, as asked", out);

@@ -167,7 +167,8 @@ void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& d
   }
   const JsonPlace root{&*json, "", &file};
   if (isLdtkProject(root)) return readLdtk(root, document);
-  if (const std::string foreign = foreignJson(*json); !foreign.empty()) return root.fail(foreign);
+  const std::string other = foreign(Sign::json, [&](auto key) { return json->is_object() && json->contains(key); });
+  if (!other.empty()) return root.fail(other);
   const char* const kind = tiledKind(root);
   if (*kind == '\0') {
     return root.fail("is JSON, but neither of Tiled (a map, tileset, template or world) nor an LDtk project");

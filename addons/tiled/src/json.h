@@ -82,11 +82,11 @@ void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& d
 /// The same for a JSON value of Tiled's; `kind` is "map", "tileset", "template" or "world".
 void readTiledJson(const JsonPlace& root, const char* kind, pugi::xml_document& document);
 
-/// The message about a file of another kind, such as a Godot scene, by how it begins, by the name of its XML root, or
-/// by the keys of its JSON; "" if the kind is not known.
-std::string foreignText(std::string_view text);
-std::string foreignXml(std::string_view rootName);
-std::string foreignJson(const Json& root);
+/// What tells a file: the beginning of a text, the name of an XML root, or a key of a JSON object.
+enum class Sign : std::uint8_t { text, xml, json };
+
+/// The message about a file of another kind, such as a Godot scene, if it has one of the signs; or "".
+std::string foreign(Sign kind, const std::function<bool(std::string_view sign)>& has);
 
 /// The same of a kind in words.
 std::string isForeign(std::string_view what);

@@ -11,12 +11,10 @@ bool isOneOf(std::string_view name, std::initializer_list<std::string_view> name
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether what reads maps takes the value of this key for a number.
-bool isNumeric(std::string_view key) {
-  return isOneOf(
-      key, {"x",           "y",      "width",  "height",      "rotation",    "offsetx",    "offsety",   "parallaxx",
-            "parallaxy",   "id",     "gid",    "firstgid",    "tilewidth",   "tileheight", "tilecount", "imagewidth",
-            "imageheight", "startx", "starty", "multiplierX", "multiplierY", "offsetX",    "offsetY"});
+/// A value as an attribute has it; nothing for null. Whoever takes a list for a number says that it is none.
+std::optional<std::string> attributeText(const Json& value) {
+  const auto text = scalarText(value);
+  return text || value.is_null() ? text : "…";
 }
 
 /// Gives an element what an object has.
@@ -37,7 +35,7 @@ void addImage(const JsonPlace& from, pugi::xml_node to) {
   if (from.text("image").empty()) return;
   const pugi::xml_node node = addElement(to, "image", from);
   for (const auto& [key, name] : {std::pair("imagewidth", "width"), std::pair("imageheight", "height")}) {
-    if (const auto size = scalarText(*from[key].value)) setAttribute(node, name, *size);
+    if (const auto size = attributeText(*from[key].value)) setAttribute(node, name, *size);
   }
 }
 
@@ -107,7 +105,7 @@ void addNumbers(const JsonPlace& from, pugi::xml_node to) {
   if (from["startx"].isMissing() && from["starty"].isMissing()) return writeNumbers(all, isPacked, data);
   const pugi::xml_node whole = addElement(data, "chunk", from);  // an infinite map that was saved without chunks
   for (const auto& [key, name] : {std::pair("startx", "x"), {"starty", "y"}, {"width", "width"}, {"height", "height"}})
-    setAttribute(whole, name, scalarText(*from[key].value).value_or("0"));
+    setAttribute(whole, name, attributeText(*from[key].value).value_or("0"));
   writeNumbers(all, isPacked, whole);
 }
 
@@ -115,15 +113,12 @@ void readElement(const JsonPlace& from, pugi::xml_node to) {
   const std::string_view element = to.name();
   const bool isLayer = element == "layer" || element == "chunk";
   for (const auto& [key, value] : from.value->items()) {
-    // Other values would count as if they were missing, or as 1. A text is read later.
-    const bool canBeNumber = value.is_null() || value.is_number() || value.is_string();
-    if (isNumeric(key) && !canBeNumber) from[key.c_str()].fail("should be a number");
     const bool isFlag = isOneOf(key, {"ellipse", "capsule", "point"});
     if (isFlag && from.is(key.c_str())) to.append_child(key.c_str());
     if (isFlag || isOneOf(key, {"image", "imagewidth", "imageheight"})) continue;
     if (key == "type" && element != "object" && element != "tile") continue;  // the kind, and no class
     if (isLayer && isOneOf(key, {"data", "encoding", "compression"})) continue;
-    if (const auto text = scalarText(value)) setAttribute(to, key.c_str(), *text);
+    if (const auto text = attributeText(value)) setAttribute(to, key.c_str(), *text);
   }
   addProperties(from["properties"], to);
   addImage(from, to);

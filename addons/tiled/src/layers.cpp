@@ -47,11 +47,11 @@ class Lister {
       }
       self.layer.offset.x += file_.real(child, "offsetx");
       self.layer.offset.y += file_.real(child, "offsety");
-      if (group || tiles) self.layer.wanted = names_.fitTiles(self.layer) || self.layer.wanted;
-      if (tiles) names_.isTiles(self.layer);
-      if (objects) names_.isObjects(self.layer);
-      if (isDrawn) names_.isDrawn(self.layer);
-      if (group || objects) self.objectsWanted = names_.fitObjects(self.layer) || self.objectsWanted;
+      if (group || tiles) self.layer.wanted = names_.tiles.fit(self.layer) || self.layer.wanted;
+      if (group || objects) self.objectsWanted = names_.objects.fit(self.layer) || self.objectsWanted;
+      if (tiles) names_.objects.fit(self.layer, "a tile layer: --layer ");
+      if (objects) names_.tiles.fit(self.layer, "an object layer: --objects ");
+      if (isDrawn) names_.tiles.fit(self.layer, "a layer of tiles that are only drawn: --solid --layer ");
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
       } else if (self.depth > kMaxDepth) {
@@ -132,7 +132,7 @@ class Lister {
   void chooseClasses(Layer& layer) const {
     for (const auto object : layer.node.children("object")) {
       for (std::string name : {classOf(object), std::string(object.attribute("name").value())}) {
-        if (!name.empty() && names_.fitObject(name)) layer.classes.insert(std::move(name));
+        if (!name.empty() && names_.objects.fitName(name)) layer.classes.insert(std::move(name));
       }
     }
   }
@@ -199,45 +199,28 @@ Properties propertiesOf(const Layer& layer) {
   return result;
 }
 
-LayerNames::LayerNames(const Options& options)
-    : tiles_(options.layers), objects_(options.objects.value_or(std::vector<std::string>{})) {}
-
-LayerNames::List::List(const std::vector<std::string>& names) {
-  for (const std::string& name : names) asked.push_back({name});
-}
-
-bool LayerNames::List::fit(const Layer& layer) {
-  if (!asked.empty()) known.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
+bool AskedLayers::fit(const Layer& layer, const char* other) {
+  if (!asked_.empty() && !other) known_.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
   bool fits = false;
-  for (Asked& one : asked) {
-    one.isFound = one.isFound || isCalled(layer, one.name);
-    fits = fits || isCalled(layer, one.name);
+  for (Asked& one : asked_) {
+    if (!isCalled(layer, one.name)) continue;
+    other ? void(one.other = other) : void(one.isFound = fits = true);
   }
   return fits;
 }
 
-bool LayerNames::List::fitName(const std::string& name) {
-  const auto at = std::find_if(asked.begin(), asked.end(), [&](const Asked& one) { return one.name == name; });
-  if (at != asked.end()) at->isFound = true;
-  return at != asked.end();
+bool AskedLayers::fitName(const std::string& name) {
+  const auto at = std::find_if(asked_.begin(), asked_.end(), [&](const Asked& one) { return one.name == name; });
+  if (at != asked_.end()) at->isFound = true;
+  return at != asked_.end();
 }
 
-void LayerNames::List::see(const Layer& layer, const char* what) {
-  for (Asked& one : asked)
-    if (isCalled(layer, one.name)) one.other = what;
-}
-
-void LayerNames::List::checkAll(const XmlFile& file, const char* kind) const {
-  for (const auto& [name, isFound, other] : asked) {
+void AskedLayers::checkAll(const XmlFile& file, const char* kind) const {
+  for (const auto& [name, isFound, other] : asked_) {
     if (isFound) continue;
     if (other) file.fail({}, concat("'", name, "' is ", other, shellWord(name)));
-    file.fail(file.root(), concat("has no ", kind, " layer or group '", name, "'", thereAre(name, known)));
+    file.fail(file.root(), concat("has no ", kind, " layer or group '", name, "'", thereAre(name, known_)));
   }
-}
-
-void LayerNames::checkAll(const XmlFile& file) const {
-  tiles_.checkAll(file, "tile");
-  objects_.checkAll(file, "object");
 }
 
 std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names) {
@@ -247,8 +230,8 @@ std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const
   root.layer.offset = place.offset;
   root.layer.wanted = options.layers.empty();
   if (!place.name.empty()) {
-    root.layer.wanted = names.fitTiles(root.layer) || root.layer.wanted;
-    root.objectsWanted = names.fitObjects(root.layer);
+    root.layer.wanted = names.tiles.fit(root.layer) || root.layer.wanted;
+    root.objectsWanted = names.objects.fit(root.layer);
     root.layer.pathInMap.clear();
   }
   lister.list(file.root(), root);

@@ -47,24 +47,22 @@ struct MapPlace {
   DoublePoint offset;  ///< of its upper left corner, pixels, y down
 };
 
-/// The names of layers that the options ask for, and which of them were found.
-class LayerNames {
+/// The names of layers of one kind that the options ask for, and which of them were found.
+class AskedLayers {
  public:
-  explicit LayerNames(const Options& options);
+  explicit AskedLayers(const std::vector<std::string>& names) {
+    for (const std::string& name : names) asked_.push_back({name});
+  }
 
-  bool fitTiles(const Layer& layer) { return tiles_.fit(layer); }
-  bool fitObjects(const Layer& layer) { return objects_.fit(layer); }
+  /// Whether this is a layer or group that was asked for. One of another kind is not: `other` says in the error what it
+  /// is.
+  bool fit(const Layer& layer, const char* other = nullptr);
 
   /// Whether the class or the name of an object was asked for.
-  bool fitObject(const std::string& name) { return objects_.fitName(name); }
-
-  /// A layer of another kind, which the error for a name names.
-  void isTiles(const Layer& layer) { objects_.see(layer, "a tile layer: --layer "); }
-  void isObjects(const Layer& layer) { tiles_.see(layer, "an object layer: --objects "); }
-  void isDrawn(const Layer& layer) { tiles_.see(layer, "a layer of tiles that are only drawn: --solid --layer "); }
+  bool fitName(const std::string& name);
 
   /// If a name fits no layer of all that were listed, the file keeps an error.
-  void checkAll(const XmlFile& file) const;
+  void checkAll(const XmlFile& file, const char* kind) const;
 
  private:
   struct Asked {
@@ -72,18 +70,14 @@ class LayerNames {
     bool isFound = false;
     const char* other = nullptr;  // which other layer it is the name of
   };
-  struct List {
-    explicit List(const std::vector<std::string>& names);
-    bool fit(const Layer& layer);
-    bool fitName(const std::string& name);
-    void see(const Layer& layer, const char* what);
-    void checkAll(const XmlFile& file, const char* kind) const;
+  std::vector<Asked> asked_;
+  std::set<std::string> known_;  // the names of all layers and groups that were looked at, if any is asked for
+};
 
-    std::vector<Asked> asked;
-    std::set<std::string> known;  // the names of all layers and groups that were looked at, if any is asked for
-  };
-
-  List tiles_, objects_;
+struct LayerNames {
+  explicit LayerNames(const Options& options)
+      : tiles(options.layers), objects(options.objects.value_or(std::vector<std::string>{})) {}
+  AskedLayers tiles, objects;
 };
 
 /// All layers of a map in the map's order, with those that are passed over.

@@ -28,19 +28,18 @@ const Tileset* tilesetOf(const CollisionObject& object, MapSource& source, const
   return node ? &at->second : nullptr;
 }
 
-/// The shapes of a tile object.
-std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source, const Options& options,
-                               Budget& budget) {
+/// Gives the shapes of a tile object.
+void readTileObject(CollisionObject object, MapSource& source, const Options& options, Budget& budget,
+                    const ShapeSink& sink) {
   const auto leftOut = [&](std::string reason) {
-    MapShape none{object, {}};
-    leaveOut(none.object, std::move(reason));
-    return std::vector<MapShape>{std::move(none)};
+    leaveOut(object, std::move(reason));
+    sink(object, {});
   };
   const std::uint32_t number = tileNumber(object.gid);
   const Tileset* const tileset = tilesetOf(object, source, options);
   if (object.gidFrom && object.gidFrom->error) return leftOut("its template " + message(*object.gidFrom->error));
   if (!tileset || number < tileset->firstGid) return leftOut("its tile belongs to no tileset");
-  if (!budget.tile(*tileset, number - tileset->firstGid)) return {};
+  if (!budget.tile(*tileset, number - tileset->firstGid)) return;
   Tile tile = tileAt(*tileset, number - tileset->firstGid);
   if (isLeftOut(tile, options)) tile.objects.clear();
   if (isSolidAsAsked(tile, {}, options)) tile.objects.push_back(fullSquare(tile));
@@ -51,52 +50,44 @@ std::vector<MapShape> shapesOf(const CollisionObject& object, MapSource& source,
   frame.scaleTo(size);
   frame.shift = {tileset->offset.x * frame.scale.x, tileset->offset.y * frame.scale.y};
   const DoublePoint part = anchor(tileset->alignment);
-  std::vector<MapShape> shapes;
   for (CollisionObject& drawn : tile.objects) {
     drawn.hidden |= object.hidden;
-    drawn = asAsked(std::move(drawn), options);
-    if (!budget.shape(drawn.points.size())) break;
-    MapShape& shape = shapes.emplace_back(MapShape{drawn, outlines(drawn)});
-    shape.object.id = object.id;
-    for (const std::string& name : {object.className, tile.className}) {
-      if (shape.object.className.empty()) shape.object.className = name;
-    }
-    if (drawn.kind == Kind::tile) leaveOut(shape.object, "a shape of its tile is a tile object");
-    for (Outline& outline : shape.outlines) {
+    CollisionObject shape = asAsked(drawn, options);
+    if (!budget.shape(shape.points.size())) return;
+    std::vector<Outline> all = outlines(shape);
+    for (Outline& outline : all) {
       for (DoublePoint& p : outline) {
         const DoublePoint inBox = frame.toCell(p);
         const DoublePoint q = turned({inBox.x - part.x * size.x, part.y * size.y - inBox.y}, object.rotation);
         p = {object.at.x + q.x, -(object.at.y + q.y)};
       }
     }
+    shape.id = object.id;
+    for (const std::string& name : {object.className, tile.className})
+      if (shape.className.empty()) shape.className = name;
+    if (shape.kind == Kind::tile) leaveOut(shape, "a shape of its tile is a tile object");
+    sink(shape, all);
   }
-  return shapes;
 }
 
 }  // namespace
 
 void readObjects(MapSource& source, const Layer& layer, const Options& options, Budget& budget, const ShapeSink& sink) {
-  const std::string ofLayer = classOf(layer.node);
-  const auto give = [&](MapShape shape) {
-    if (shape.object.className.empty()) shape.object.className = ofLayer;
-    sink(shape);
-  };
   for (const auto node : layer.node.children("object")) {
     if (layer.isByProperty && !firstFit(options.solidIf, propertiesOf(node))) continue;
     CollisionObject object = readObject(*source.file, node, layer.offset, source.templates);
     if (source.file->failed()) return;
-    if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {
+    if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name))
       continue;
-    }
     object = asAsked(std::move(object), options);
     if (object.kind == Kind::tile) {
-      for (MapShape& shape : shapesOf(object, source, options, budget)) give(std::move(shape));
+      readTileObject(std::move(object), source, options, budget, sink);
       continue;
     }
     std::vector<Outline> all = outlines(object);
     for (Outline& outline : all)
       for (DoublePoint& p : outline) p.y = -p.y;
-    give({std::move(object), std::move(all)});
+    sink(object, all);
   }
 }
 

@@ -19,28 +19,16 @@ void cutObject(const CollisionObject& object, const std::vector<Outline>& outlin
 /// A number of pixels as the notes write it, with at most two decimals: "1.25 px".
 std::string pixels(double value);
 
-struct TilePart {
-  Cell shift;  ///< from the tile's cell to the one of this part
-  Polygon ring;
-  std::uint32_t object = 0;  ///< id of the collision object
-  std::string className;     ///< of the object, or of the tile if the object has none
-};
+/// Receives what lies of an object of a tile in one cell: how far this is from the tile's cell.
+using TilePartSink = std::function<void(Cell shift, const Polygon& ring, const CollisionObject& object)>;
 
-/// The polygons that a tile, flipped in one way, puts into its own cell and into the neighbouring cells.
-struct TileParts {
-  std::vector<TilePart> parts;
-  std::vector<Note> notes;
-};
-TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options,
-                    Budget& budget);
+/// Gives the polygons that a tile, flipped in one way, puts into its own cell and into the neighbouring cells.
+void cutTile(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options, Budget& budget,
+             std::vector<Note>& notes, const TilePartSink& sink);
 
-/// One shape of an object of an object layer. A tile object can have several.
-struct MapShape {
-  CollisionObject object;         ///< its id, its kind, and the class that decides on its block
-  std::vector<Outline> outlines;  ///< pixels from the map's upper left corner, y up; none for Kind::unsupported
-};
-
-using ShapeSink = std::function<void(const MapShape& shape)>;
+/// Receives a shape of an object of an object layer, with the id and class of the object and the outlines in pixels from
+/// the map's upper left corner, y up. A tile object can have several shapes, and Kind::unsupported has no outlines.
+using ShapeSink = std::function<void(const CollisionObject& object, const std::vector<Outline>& outlines)>;
 
 /// Gives the shapes of an object layer one by one, in the file's order; those for which the budget is enough.
 void readObjects(MapSource& source, const Layer& layer, const Options& options, Budget& budget, const ShapeSink& sink);

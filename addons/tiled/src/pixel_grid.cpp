@@ -1,5 +1,7 @@
 #include "pixel_grid.h"
 
+#include "xml.h"
+
 #include <lgs/brush.h>
 #include <lgs/tiled/import.h>
 
@@ -36,10 +38,62 @@ bool isPolygon(const Polygon& ring) {
   return box.min.x >= 0 && box.min.y >= 0 && box.max.x <= kUnitsPerCell && box.max.y <= kUnitsPerCell && isSimple(ring);
 }
 
+/// Whether sides of an outline meet on the grid that did not meet as drawn: both sides of a thin wall came to lie on
+/// one line, or a narrow waist was closed. Neighbouring vertices may become one. Of an outline that meets itself as
+/// drawn nobody can tell.
+bool collapses(const Polygon& drawn, const Polygon& snapped) {
+  const auto meetsItself = [](Polygon ring) {
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    return !isSimple(ring);
+  };
+  return meetsItself(snapped) && !meetsItself(drawn);
+}
+
 }  // namespace
 
-Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, double mostCells) {
+std::size_t crossings(const Polygon& a, const Polygon& b, std::size_t most) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size() && count <= most; ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) count += crossProperly(a[i], nextVertex(a, i), b[j], nextVertex(b, j));
+  }
+  return count;
+}
+
+Polygon ringOf(std::span<const LocalPoint> vertices) {
+  Polygon ring;
+  for (const LocalPoint v : vertices) ring.push_back({v.x, v.y});
+  return ring;
+}
+
+std::vector<LocalPoint> localRing(const Polygon& ring) {
+  std::vector<LocalPoint> vertices;
+  for (const Point p : ring) vertices.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)});
+  return vertices;
+}
+
+Polygon tidied(Polygon ring) {
+  std::size_t calm = 0;  // vertices in a row that stay
+  std::size_t at = 0;
+  while (ring.size() >= 3 && calm < ring.size()) {
+    const std::size_t n = ring.size();
+    at %= n;
+    if (orientation(ring[(at + n - 1) % n], ring[at], ring[(at + 1) % n]) == 0) {
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
+      calm = 0;
+      at += ring.size() - 1;  // its removal can flatten the one before
+    } else {
+      ++calm;
+      ++at;
+    }
+  }
+  return ring;
+}
+
+tl::expected<Snapped, std::string> snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid,
+                                        double mostCells) {
   Snapped result;
+  Polygon drawn;                                 // the ring as it would be without snapping, vertex by vertex
   std::vector<std::pair<Point, double>> misses;  // a corner of the grid, and by how much a vertex misses it
   const auto isNear = [&](double missX, double missY) {
     // It is on one line and misses the other by at most twice the tolerance, and by so little that it is hardly meant.
@@ -50,35 +104,32 @@ Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, dou
   };
   for (const DoublePoint& p : outline) {
     // Huge coordinates can become not-a-number. The comparison is false for it, so that it counts as too far.
-    if (!(std::fabs(p.x) <= mostCells * grid.tile.x && std::fabs(p.y) <= mostCells * grid.tile.y)) {
-      result.tooFar = true;
-      result.ring.clear();
-      result.drawn.clear();
-      return result;
-    }
+    if (!(std::fabs(p.x) <= mostCells * grid.tile.x && std::fabs(p.y) <= mostCells * grid.tile.y))
+      return tl::unexpected(mostCells > kMaxReach
+                                ? "it is too far away"
+                                : concat("it reaches more than ", kMaxReach, " cells out of its cell"));
     const Snap x = snapOne(p.x, grid.tile.x, grid.tolerance.x), y = snapOne(p.y, grid.tile.y, grid.tolerance.y);
     result.ring.push_back({x.value, y.value});
-    result.drawn.push_back({x.drawn, y.drawn});
+    drawn.push_back({x.drawn, y.drawn});
     result.moved += unsigned{x.moved > kNoise} + unsigned{y.moved > kNoise};
     result.furthest = std::max({result.furthest, x.moved, y.moved});
     if (isNear(x.miss, y.miss))
       misses.push_back({{nearestLine(x.drawn), nearestLine(y.drawn)}, std::fmax(x.miss, y.miss)});
   }
-  for (const auto& [corner, miss] :
-       misses) {  // a vertex in the corner is joined already, and this one is apart from it
-    if (std::find(result.ring.begin(), result.ring.end(), corner) == result.ring.end()) {
-      result.nearMiss = std::fmax(result.nearMiss, miss);
-    }
+  constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
+  const Box box = boundingBox(result.ring);
+  if (box.max.x - box.min.x > kExtent || box.max.y - box.min.y > kExtent)
+    return tl::unexpected(concat("it is more than ", kMaxRegionCells, " cells wide or high"));
+  result.takenBack = result.ring != drawn && collapses(drawn, result.ring);
+  if (result.takenBack) {
+    result.ring = std::move(drawn);
+    return result;
+  }
+  for (const auto& [corner, miss] : misses) {
+    const bool isJoined = std::find(result.ring.begin(), result.ring.end(), corner) != result.ring.end();
+    if (!isJoined) result.nearMiss = std::fmax(result.nearMiss, miss);
   }
   return result;
-}
-
-void takeBackCollapse(Snapped& snapped) {
-  if (snapped.ring == snapped.drawn || tidyLoops(snapped.drawn).empty()) return;
-  if (!collapses(snapped.drawn, snapped.ring)) return;
-  snapped.ring = snapped.drawn;
-  snapped.takenBack = true;
-  snapped.nearMiss = 0;
 }
 
 bool isTangled(const Polygon& outline) {
@@ -87,11 +138,11 @@ bool isTangled(const Polygon& outline) {
 }
 
 std::optional<std::size_t> cutAlongGrid(const Polygon& outline, const PartSink& sink) {
-  std::vector<Polygon> loops = tidyLoops(outline);
-  if (loops.empty()) return 0;
-  if (loops.size() == 1 && isPolygon(loops[0])) {  // as in most tiles; a world for each of them would take longer
-    if (doubleArea(loops[0]) < 0) std::reverse(loops[0].begin(), loops[0].end());
-    sink({}, loops[0]);
+  Polygon ring = tidied(outline);
+  if (ring.size() < 3) return 0;
+  if (isPolygon(ring)) {  // as in most tiles; a world for each of them would take longer
+    if (doubleArea(ring) < 0) std::reverse(ring.begin(), ring.end());
+    sink({}, ring);
     return 1;
   }
   World world;

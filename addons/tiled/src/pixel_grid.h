@@ -1,12 +1,42 @@
-// From pixels to the lattice: coordinates snap to the grid or are rounded, then polygons are cut along the grid.
+// From pixels to polygons in cells: coordinates snap to the grid or are rounded, then outlines are cut along the grid.
+// Polygons are rings of lattice points. The origin is the lower left corner of a cell. No ring is more than
+// kMaxRegionCells cells (2^28 units) wide or high.
 #pragma once
 
-#include "loops.h"
+#include "geometry/relation.h"
+#include "geometry/simple.h"
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
 
 namespace lgs::tiled {
+
+using Polygon = std::vector<Point>;
+using Box = detail::Box<Point>;
+
+using detail::boundingBox;
+using detail::crossProperly;
+using detail::doubleArea;
+using detail::isSimple;
+using detail::nextVertex;
+using detail::orientation;
+using detail::Relation;
+using detail::relation;
+
+/// How often edges of two rings cross, each inside the other. It stops counting after `most`. Cost: O(n·m).
+std::size_t crossings(const Polygon& a, const Polygon& b, std::size_t most);
+
+/// From the vertices of a polygon of World, and to them.
+Polygon ringOf(std::span<const LocalPoint> vertices);
+std::vector<LocalPoint> localRing(const Polygon& ring);
+
+/// Without vertices that repeat their neighbour, lie straight between their neighbours, or are the tip of a spike: what
+/// it goes around stays. Fewer than three are left of a ring that goes around nothing.
+Polygon tidied(Polygon ring);
 
 /// The grid of the map.
 struct PixelGrid {
@@ -17,8 +47,6 @@ struct PixelGrid {
 /// A polygon on the lattice, and how it got there.
 struct Snapped {
   Polygon ring;            ///< lattice units from the cell's lower left corner
-  Polygon drawn;           ///< the ring as it would be without snapping, vertex by vertex
-  bool tooFar = false;     ///< a vertex is too far away; then the rings are empty
   bool takenBack = false;  ///< snapping would have collapsed the ring, so it stays as drawn
   unsigned moved = 0;      ///< how many coordinates snapped to the grid, or would have
   double furthest = 0;     ///< pixels that one of them moved, or would have
@@ -26,11 +54,9 @@ struct Snapped {
 };
 
 /// Puts an outline on the lattice. It is in pixels from the cell's lower left corner, y up. `mostCells` is how far away
-/// a vertex may be.
-Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, double mostCells);
-
-/// Takes the snapping back if it collapses the ring: see collapses(). The ring is at most 2^30 units wide and high.
-void takeBackCollapse(Snapped& snapped);
+/// a vertex may be. The error is why nothing of it is taken.
+tl::expected<Snapped, std::string> snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid,
+                                        double mostCells);
 
 /// Whether an outline crosses itself so often (kMaxCrossings) that it is no drawing, and would take a brush minutes.
 bool isTangled(const Polygon& outline);

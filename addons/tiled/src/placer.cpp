@@ -113,10 +113,11 @@ void Placer::finish(ImportedMap& map) {
     }
     report.cells += content != 0;
     for (const EntryId id : contents_[content]) {
-      const Entry& e = entries_[id];
-      const auto [number, isNew] = numbers.try_emplace(e.shape, static_cast<std::uint32_t>(map.shapes.size()));
-      if (isNew) map.shapes.push_back(localRing(shapes_[e.shape]));
-      map.placements.push_back({cell, e.block, number->second, e.tile, e.object, e.layer});
+      MapPolygon& polygon = map.placements.emplace_back(entries_[id]);
+      const auto [number, isNew] = numbers.try_emplace(polygon.shape, static_cast<std::uint32_t>(map.shapes.size()));
+      if (isNew) map.shapes.push_back(localRing(shapes_[polygon.shape]));
+      polygon.cell = cell;
+      polygon.shape = number->second;
     }
   }
   for (auto& [key, note] : notes_) {

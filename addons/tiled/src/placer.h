@@ -3,7 +3,7 @@
 #pragma once
 
 #include "budget.h"
-#include "loops.h"
+#include "pixel_grid.h"
 
 #include <lgs/tiled/import.h>
 #include <lgs/world.h>
@@ -19,15 +19,7 @@ namespace lgs::tiled {
 
 class Placer {
  public:
-  /// A MapPolygon without its cell.
-  struct Entry {
-    std::uint32_t shape = 0;
-    Block block = 1;
-    std::uint32_t tile = 0;
-    std::uint32_t object = 0;
-    std::uint32_t layer = 0;
-    friend auto operator<=>(const Entry&, const Entry&) = default;
-  };
+  using Entry = MapPolygon;  ///< whose cell does not count, and whose shape has a number here
   using EntryId = std::uint32_t;
 
   /// What it does is taken from the budget. When that is spent it does nothing any more.

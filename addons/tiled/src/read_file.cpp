@@ -4,9 +4,7 @@
 
 #include <lgs/tiled/import.h>
 
-#ifdef _WIN32
-#include <fstream>
-#else
+#ifndef _WIN32
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,100 +12,78 @@
 #endif
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 
 namespace lgs::tiled {
+
+namespace fs = std::filesystem;
+
 namespace {
-
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
-
-tl::unexpected<std::string> because(const char* why) { return tl::unexpected<std::string>(why); }
 
 constexpr const char* kNone = "there is no such file, or no permission to read it";
 constexpr const char* kNoFile = "it is no regular file";
 constexpr const char* kFolder = "it is a folder";
-constexpr const char* kTooLarge = "it is larger than 1 GiB";
-constexpr const char* kHalfWay = "reading stopped half-way";
 
-}  // namespace
+tl::unexpected<std::string> because(const char* why) { return tl::unexpected<std::string>(why); }
+
+using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 #ifdef _WIN32
 
-tl::expected<std::string, std::string> readRegularFile(const std::filesystem::path& path) {
+tl::expected<OpenFile, std::string> openRegular(const fs::path& path) {
   std::error_code failed;
-  const auto status = std::filesystem::status(path, failed);
-  if (std::filesystem::is_directory(status)) return because(kFolder);
-  if (failed || !std::filesystem::exists(status)) return because(kNone);
-  if (!std::filesystem::is_regular_file(status)) return because(kNoFile);
-  const std::uintmax_t size = std::filesystem::file_size(path, failed);
-  std::ifstream in(path, std::ios::binary);
-  if (failed || !in) return because(kNone);
-  if (size > kMostBytes) return because(kTooLarge);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  if (!in.read(text.data(), static_cast<std::streamsize>(size))) return because(kHalfWay);
-  return text;
+  const auto status = fs::status(path, failed);
+  if (fs::is_directory(status)) return because(kFolder);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return because(kNoFile);
+  OpenFile result(::_wfopen(path.c_str(), L"rb"), std::fclose);
+  if (!result) return because(kNone);
+  return result;
 }
 
 #else
 
-namespace {
-
-/// A descriptor that is closed at the end.
-class Open {
- public:
-  explicit Open(int file) : file_(file) {}
-  Open(const Open&) = delete;
-  Open& operator=(const Open&) = delete;
-  ~Open() {
-    if (file_ >= 0) ::close(file_);
-  }
-  int get() const { return file_; }
-  void reset(int file) {
-    if (file_ >= 0) ::close(file_);
-    file_ = file;
-  }
-
- private:
-  int file_;
-};
-
 /// Opens a path folder by folder, and follows no link: so nobody can put one in between.
-int openStepByStep(const std::filesystem::path& path) {
+tl::expected<OpenFile, std::string> openRegular(const fs::path& path) {
   constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NOFOLLOW;
-  Open folder(::open("/", kFlags | O_DIRECTORY));
-  const std::filesystem::path steps = path.relative_path();
-  for (const std::filesystem::path& step : steps.parent_path()) {
-    folder.reset(::openat(folder.get(), step.c_str(), kFlags | O_DIRECTORY));
+  const fs::path steps = path.relative_path();
+  int folder = ::open("/", kFlags | O_DIRECTORY);
+  for (const fs::path& step : steps.parent_path()) {
+    const int next = ::openat(folder, step.c_str(), kFlags | O_DIRECTORY);
+    ::close(folder);
+    folder = next;
   }
-  if (steps.empty()) return ::open("/", kFlags | O_DIRECTORY);
-  return ::openat(folder.get(), steps.filename().c_str(), kFlags | O_NONBLOCK | O_NOCTTY);
-}
-
-}  // namespace
-
-tl::expected<std::string, std::string> readRegularFile(const std::filesystem::path& path) {
-  const Open file(openStepByStep(path));
+  const int file = ::openat(folder, steps.empty() ? "." : steps.filename().c_str(), kFlags | O_NONBLOCK | O_NOCTTY);
+  const bool isSocket = file < 0 && errno == ENXIO;
+  ::close(folder);
+  if (file < 0) return because(isSocket ? kNoFile : kNone);
   struct stat status {};
-  if (file.get() < 0) return because(errno == ENXIO ? kNoFile : kNone);  // ENXIO: a socket
-  if (::fstat(file.get(), &status) != 0) return because(kNone);
+  OpenFile result(::fdopen(file, "rb"), std::fclose);
+  if (!result || ::fstat(file, &status) != 0) return because(kNone);
   if (S_ISDIR(status.st_mode)) return because(kFolder);
   if (!S_ISREG(status.st_mode)) return because(kNoFile);
-  const auto size = static_cast<std::uintmax_t>(status.st_size);
-  if (size > kMostBytes) return because(kTooLarge);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t now = ::read(file.get(), text.data() + done, text.size() - done);
-    if (now < 0 && errno == EINTR) continue;
-    if (now <= 0) return because(kHalfWay);
-    done += static_cast<std::size_t>(now);
-  }
-  return text;
+  return result;
 }
 
 #endif
 
-namespace fs = std::filesystem;
+/// Reads a regular file. Its path has no symbolic links in it; if it has now, that is an error. It opens nothing that
+/// could block.
+tl::expected<std::string, std::string> readRegularFile(const fs::path& path) {
+  const auto file = openRegular(path);
+  if (!file) return tl::unexpected(file.error());
+  std::error_code failed;
+  const std::uintmax_t size = fs::file_size(path, failed);
+  if (failed) return because(kNone);
+  if (size > std::uintmax_t{1} << 30) return because("it is larger than 1 GiB");
+  std::string text(static_cast<std::size_t>(size), '\0');
+  if (std::fread(text.data(), 1, text.size(), file->get()) != text.size()) return because("reading stopped half-way");
+  return text;
+}
+
+}  // namespace
 
 tl::expected<std::string, std::string> readFile(const std::string& path) {
   std::error_code failed;
@@ -129,33 +105,26 @@ FileReader readerBelow(const std::string& folder) {
   };
 }
 
-tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path) {
+namespace {
+
+/// The names of all that lies in a folder.
+std::vector<std::string> namesIn(const fs::path& folder, std::error_code& failed) {
   std::vector<std::string> names;
-  std::error_code failed;
-  fs::directory_iterator at(path, failed);
-  while (!failed && at != fs::directory_iterator()) {
-    std::error_code ignored;  // what can not be looked at is no file
-    if (at->is_regular_file(ignored)) names.push_back(at->path().filename().string());
-    at.increment(failed);
-  }
-  if (failed) return tl::unexpected(failed.message());
+  for (fs::directory_iterator at(folder, failed); !failed && at != fs::directory_iterator(); at.increment(failed))
+    names.push_back(at->path().filename().string());
   return names;
 }
-
-namespace {
 
 /// Whether a folder is the root of a project: of a game, or of its maps.
 bool isProject(const fs::path& folder) {
   constexpr std::array<std::string_view, 8> kNames{".git",         "package.json", "project.godot",  "Cargo.toml",
                                                    "build.gradle", "pom.xml",      "pyproject.toml", "go.mod"};
   constexpr std::array<std::string_view, 4> kExtensions{".tiled-project", ".ldtk", ".sln", ".csproj"};
-  std::error_code failed;
-  for (fs::directory_iterator at(folder, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
-    const fs::path& path = at->path();
-    if (std::find(kNames.begin(), kNames.end(), path.filename().string()) != kNames.end()) return true;
-    if (std::find(kExtensions.begin(), kExtensions.end(), path.extension().string()) != kExtensions.end()) return true;
-  }
-  return false;
+  std::error_code ignored;
+  const std::vector<std::string> names = namesIn(folder, ignored);
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return has(kNames, name) || has(kExtensions, fs::path(name).extension().string());
+  });
 }
 
 /// The file below a folder whose path differs from this one by upper and lower case alone, both as they really lie; or
@@ -163,12 +132,10 @@ bool isProject(const fs::path& folder) {
 std::optional<std::string> otherCase(const fs::path& folder, const fs::path& path) {
   fs::path found = folder;
   for (const fs::path& step : path.lexically_relative(folder)) {
-    std::error_code failed;
+    std::error_code ignored;
     std::string best;
-    for (fs::directory_iterator at(found, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
-      const std::string name = at->path().filename().string();
+    for (const std::string& name : namesIn(found, ignored))
       if (name == step.string() || (best != step.string() && lower(name) == lower(step.string()))) best = name;
-    }
     if (best.empty()) return std::nullopt;
     found /= best;
   }
@@ -176,6 +143,14 @@ std::optional<std::string> otherCase(const fs::path& folder, const fs::path& pat
 }
 
 }  // namespace
+
+tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path) {
+  std::error_code failed, ignored;  // what can not be looked at is no file
+  std::vector<std::string> names = namesIn(path, failed);
+  if (failed) return tl::unexpected(failed.message());
+  std::erase_if(names, [&](const std::string& name) { return !fs::is_regular_file(fs::path(path) / name, ignored); });
+  return names;
+}
 
 std::string projectFolder(const std::string& map) {
   constexpr int kMostUp = 2;  // of a map that is in no project

@@ -2,18 +2,23 @@
 // pattern should meet as little machinery as can be.
 #include "regexp.h"
 
+#include "xml.h"
+
 #define PCRE2_CODE_UNIT_WIDTH 8
 #include <pcre2.h>
 #include <algorithm>
+#include <memory>
 
 namespace lgs::tiled {
 namespace {
 
+constexpr std::size_t kMaxLength = 1'024;       // of a pattern, in bytes
 constexpr std::uint32_t kMaxNesting = 64;       // of groups
 constexpr std::uint32_t kMaxTries = 1'000'000;  // of a match from one letter on, and how deep they may nest
 constexpr std::uint32_t kMaxKibibytes = 4'096;  // of a match
 
 struct Free {
+  void operator()(pcre2_code* code) const { pcre2_code_free(code); }
   void operator()(pcre2_compile_context* context) const { pcre2_compile_context_free(context); }
   void operator()(pcre2_match_context* context) const { pcre2_match_context_free(context); }
   void operator()(pcre2_match_data* data) const { pcre2_match_data_free(data); }
@@ -37,43 +42,44 @@ int takeStep(pcre2_callout_block*, void* stepsLeft) {
 
 }  // namespace
 
-tl::expected<Regexp, std::string> Regexp::parse(std::string_view pattern) {
-  if (pattern.size() > kMaxLength) return tl::unexpected("has more than " + std::to_string(kMaxLength) + " bytes");
-  const std::unique_ptr<pcre2_compile_context, Free> limits(pcre2_compile_context_create(nullptr));
-  pcre2_set_parens_nest_limit(limits.get(), kMaxNesting);
+tl::expected<std::vector<Fit>, std::string> namesThatFit(std::string_view pattern,
+                                                         const std::vector<std::string>& names,
+                                                         std::uint64_t& stepsLeft) {
+  if (pattern.size() > kMaxLength) return tl::unexpected(concat("has more than ", kMaxLength, " bytes"));
+  const std::unique_ptr<pcre2_compile_context, Free> nesting(pcre2_compile_context_create(nullptr));
+  pcre2_set_parens_nest_limit(nesting.get(), kMaxNesting);
   int error = 0;
   PCRE2_SIZE at = 0;
   // A text that is not UTF-8 is matched all the same: a name of a file may have any bytes.
   constexpr std::uint32_t kOptions = PCRE2_UTF | PCRE2_MATCH_INVALID_UTF | PCRE2_NEVER_BACKSLASH_C | PCRE2_AUTO_CALLOUT;
-  Regexp result;
-  result.code_ = {pcre2_compile(unitsOf(pattern), pattern.size(), kOptions, &error, &at, limits.get()),
-                  [](void* code) { pcre2_code_free(static_cast<pcre2_code*>(code)); }};
-  if (!result.code_) return tl::unexpected("is wrong at byte " + std::to_string(at + 1) + ": " + textOf(error));
+  const std::unique_ptr<pcre2_code, Free> code(
+      pcre2_compile(unitsOf(pattern), pattern.size(), kOptions, &error, &at, nesting.get()));
+  if (!code) return tl::unexpected(concat("is wrong at byte ", at + 1, ": ", textOf(error)));
   std::uint32_t captures = 0;
-  pcre2_pattern_info(static_cast<pcre2_code*>(result.code_.get()), PCRE2_INFO_CAPTURECOUNT, &captures);
-  result.captures_ = captures;
-  return result;
-}
-
-tl::expected<Regexp::Match, std::string> Regexp::match(std::string_view text, std::uint64_t& stepsLeft) const {
-  const auto* const code = static_cast<const pcre2_code*>(code_.get());
+  pcre2_pattern_info(code.get(), PCRE2_INFO_CAPTURECOUNT, &captures);
+  if (captures != 2)
+    return tl::unexpected(concat("has ", captures, " captures. It needs two: (…) for the column and (…) for the row"));
   const std::unique_ptr<pcre2_match_context, Free> limits(pcre2_match_context_create(nullptr));
   pcre2_set_match_limit(limits.get(), kMaxTries);
   pcre2_set_depth_limit(limits.get(), kMaxTries);
   pcre2_set_heap_limit(limits.get(), kMaxKibibytes);
   pcre2_set_callout(limits.get(), takeStep, &stepsLeft);
-  const std::unique_ptr<pcre2_match_data, Free> data(pcre2_match_data_create_from_pattern(code, nullptr));
-  stepsLeft -= std::min<std::uint64_t>(stepsLeft, text.size());
-  const int found = pcre2_match(code, unitsOf(text), text.size(), 0, PCRE2_NO_JIT, data.get(), limits.get());
-  if (found == PCRE2_ERROR_NOMATCH) return Match{};
-  if (found < 0) return tl::unexpected("takes too long to match: " + textOf(found));
-  Match result{true, {}};
-  const PCRE2_SIZE* const ends = pcre2_get_ovector_pointer(data.get());
-  for (std::size_t k = 0; k < std::min(kKept, static_cast<std::size_t>(found) - 1); ++k) {
-    const PCRE2_SIZE begin = ends[2 * k + 2], end = ends[2 * k + 3];
-    if (begin != PCRE2_UNSET) result.captures[k] = text.substr(begin, end - begin);
+  const std::unique_ptr<pcre2_match_data, Free> data(pcre2_match_data_create_from_pattern(code.get(), nullptr));
+  std::vector<Fit> fits;
+  for (const std::string& name : names) {
+    stepsLeft -= std::min<std::uint64_t>(stepsLeft, name.size());
+    const int found = pcre2_match(code.get(), unitsOf(name), name.size(), 0, PCRE2_NO_JIT, data.get(), limits.get());
+    if (found == PCRE2_ERROR_NOMATCH) continue;
+    if (found < 0)
+      return tl::unexpected(concat("takes too long to match: ", textOf(found), "; the file is ", inQuotes(name)));
+    Fit& fit = fits.emplace_back(Fit{name, {}});
+    const PCRE2_SIZE* const ends = pcre2_get_ovector_pointer(data.get());
+    for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(found); ++k) {
+      const PCRE2_SIZE begin = ends[2 * k + 2], end = ends[2 * k + 3];
+      if (begin != PCRE2_UNSET) fit.captures[k] = name.substr(begin, end - begin);
+    }
   }
-  return result;
+  return fits;
 }
 
 }  // namespace lgs::tiled

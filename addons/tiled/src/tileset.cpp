@@ -159,36 +159,25 @@ std::optional<double> numberIn(std::string_view text) {
 }
 
 tl::expected<TileShape, std::string> shapeIn(std::string_view text) {
+  constexpr std::string_view kOneWay = "oneway ";
   TileShape shape;
-  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
-  if (word == "full" || word == "none") {
-    if (word != text) return tl::unexpected("has more than \"" + std::string(word) + "\"");
-    if (word == "full") shape.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    return shape;
-  }
-  shape.oneWay = word == "oneway";
+  if (text == "none") return shape;
+  if (text == "full") text = "0 0 1 0 1 1 0 1";
+  shape.oneWay = text.starts_with(kOneWay);
   std::vector<double> numbers;
-  for (const std::string_view part : split(shape.oneWay ? text.substr(word.size()) : text, " \t,")) {
-    const auto number = part.empty() ? std::nullopt : numberIn(part);
-    if (number) numbers.push_back(*number);
-    if (!number && !part.empty())
+  for (const std::string_view part : split(text.substr(shape.oneWay ? kOneWay.size() : 0), " \t,")) {
+    if (part.empty()) continue;
+    const auto number = numberIn(part);
+    if (!number)
       return tl::unexpected<std::string>(
           "should say full, none, oneway with x y of two points or more, or x y of three or more");
+    numbers.push_back(*number);
   }
   const std::size_t least = shape.oneWay ? 2 : 3;
   if (numbers.size() % 2 != 0 || numbers.size() / 2 < least || numbers.size() / 2 > kMaxObjectVertices)
     return tl::unexpected(concat("should have x y of ", least, " points or more"));
   for (std::size_t k = 0; k < numbers.size(); k += 2) shape.outline.push_back({numbers[k], numbers[k + 1]});
   return shape;
-}
-
-/// The shape in pixels of the tile's image, y down.
-CollisionObject objectOf(const TileShape& shape, const Tile& tile, DoublePoint size) {
-  CollisionObject object;
-  object.kind = shape.oneWay ? CollisionObject::Kind::polyline : CollisionObject::Kind::polygon;
-  if (shape.oneWay && tile.className.empty()) object.className = "one-way";
-  for (const DoublePoint p : shape.outline) object.points.push_back({p.x * size.x, (1 - p.y) * size.y});
-  return object;
 }
 
 }  // namespace
@@ -231,10 +220,14 @@ void reshape(Tileset& tileset, const TileTable& table) {
     if (rows == table.end()) continue;
     for (const auto& [id, shape] : rows->second) {
       Tile& tile = tileset.tiles[id];
-      const bool hasSize = tile.size.x > 0 && tile.size.y > 0;
       tile.objects.clear();
       tile.isSettled = true;
-      if (!shape.outline.empty()) tile.objects.push_back(objectOf(shape, tile, hasSize ? tile.size : tileset.tileSize));
+      if (shape.outline.empty()) continue;
+      const DoublePoint size = tileAt(tileset, id).size;
+      CollisionObject& object = tile.objects.emplace_back();
+      object.kind = shape.oneWay ? CollisionObject::Kind::polyline : CollisionObject::Kind::polygon;
+      if (shape.oneWay && tile.className.empty()) object.className = "one-way";
+      for (const DoublePoint p : shape.outline) object.points.push_back({p.x * size.x, (1 - p.y) * size.y});
     }
   }
 }

@@ -50,10 +50,10 @@ constexpr auto kOther = std::to_array<std::string_view>(
 
 /// The same for words that begin so.
 constexpr auto kOtherBegins = std::to_array<std::string_view>({
-    "ambient", "check",  "cloud",    "coin",   "collect", "decal",   "deco",   "detail", "door",
-    "effect",  "enem",   "entit",    "entr",   "event",   "exit",    "finish", "flag",   "fond",
-    "goal",    "hinter", "ignor",    "liquid", "navig",   "overlay", "portal", "shadow", "sky",
-    "spawn",   "start",  "teleport", "toxic",  "visual",  "walkab",  "warp",   "water",
+    "ambient", "check",  "cloud",  "coin",     "collect", "decal",   "deco",   "detail", "door",
+    "effect",  "enem",   "entit",  "entr",     "event",   "exit",    "finish", "flag",   "fond",
+    "goal",    "hinter", "ignor",  "liquid",   "navig",   "overlay", "portal", "shadow", "sky",
+    "spawn",   "start",  "switch", "teleport", "toxic",   "visual",  "walkab", "warp",   "water",
 });
 
 /// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.

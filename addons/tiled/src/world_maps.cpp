@@ -3,7 +3,6 @@
 #include "regexp.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -11,15 +10,6 @@
 
 namespace lgs::tiled {
 namespace {
-
-/// What Tiled reads as a number here: it has 32 bits, and may have a sign.
-std::optional<std::int64_t> captured(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  std::int32_t value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 class WorldMaps {
  public:
@@ -64,40 +54,28 @@ class WorldMaps {
 
   void readPattern(pugi::xml_node node) {
     if (file_.failed()) return;
-    const std::string text = node.attribute("regexp").value();
-    const auto regexp = Regexp::parse(text);
-    if (!regexp) return file_.fail(node, "its regexp " + inQuotes(text) + " " + regexp.error());
-    if (regexp->captures() != Regexp::kKept) {
-      return file_.fail(node, concat("its regexp ", inQuotes(text), " has ", regexp->captures(),
-                                     " captures. It needs two: (…) for the column and (…) for the row"));
-    }
+    const std::string pattern = inQuotes(node.attribute("regexp").value());
+    const auto fits = namesThatFit(node.attribute("regexp").value(), names_, stepsLeft_);
+    if (!fits) return file_.fail(node, "its regexp " + pattern + " " + fits.error());
+    if (fits->empty()) notes_.push_back("no file in the folder fits the pattern " + pattern);
     const std::size_t before = maps_.size();
-    bool fits = false;
-    for (const std::string& name : names_) {
-      const auto match = regexp->match(name, stepsLeft_);
-      if (!match) {
-        return file_.fail(node,
-                          "its regexp " + inQuotes(text) + " " + match.error() + "; the file is " + inQuotes(name));
-      }
-      if (!match->isThere) continue;
-      fits = true;
-      if (known_.insert(file_.pathTo(name)).second) add(node, name, match->captures);
-    }
-    if (!fits) notes_.push_back("no file in the folder fits the pattern " + inQuotes(text));
-    noteSamePlaces(before, inQuotes(text));
+    for (const auto& [name, captures] : *fits)
+      if (known_.insert(file_.pathTo(name)).second) add(node, name, captures);
+    noteSamePlaces(before, pattern);
   }
 
-  void add(pugi::xml_node node, const std::string& name, const std::array<std::string, Regexp::kKept>& place) {
+  void add(pugi::xml_node node, const std::string& name, const std::array<std::string, 2>& place) {
     const auto along = [&](const std::string& text, const char* multiplier, const char* offset) {
       constexpr std::int64_t kMin = std::numeric_limits<std::int32_t>::min();
       constexpr std::int64_t kMax = std::numeric_limits<std::int32_t>::max();
-      const auto number = captured(text);
-      if (!number)
+      const auto number = parseInteger(text);
+      const bool isNumber = number && *number >= kMin && *number <= kMax;
+      if (!isNumber)
         file_.fail(node,
                    "takes " + name + ", where it captures " + inQuotes(text) + ": this is no whole number of 32 bits");
       const std::int64_t by = file_.integer(node, multiplier, 1, kMin, kMax);
       if (by == 0) file_.fail(node, std::string(multiplier) + " is 0, so all its maps would lie at one place");
-      return static_cast<double>(number.value_or(0) * by + file_.integer(node, offset, 0, kMin, kMax));
+      return static_cast<double>((isNumber ? *number : 0) * by + file_.integer(node, offset, 0, kMin, kMax));
     };
     maps_.push_back(
         {node, name, {along(place[0], "multiplierX", "offsetX"), along(place[1], "multiplierY", "offsetY")}});
@@ -118,7 +96,7 @@ class WorldMaps {
   const FolderLister& lister_;
   std::vector<std::string>& notes_;
   std::vector<std::string> names_;
-  std::uint64_t stepsLeft_ = Regexp::kMaxSteps;
+  std::uint64_t stepsLeft_ = kMaxPatternSteps;
   std::set<std::string> known_;  // paths
   std::vector<WorldMap> maps_;
 };

@@ -43,13 +43,11 @@ std::string whyNotToRead(std::string named, std::string_view kind) {
   if (path.has_root_directory() || path.has_root_name())
     return "its path is absolute. If the map can be trusted, files may lie anywhere: Options::filesAnywhere";
   if (kind == "map" && path.parent_path().empty()) return {};  // as all maps of a world mostly lie: in its folder
-  using Extensions = std::array<std::string_view, 4>;
-  const Extensions all = kind == "tileset"    ? Extensions{".tsx", ".tsj", ".json", ".xml"}
-                         : kind == "template" ? Extensions{".tx", ".tj", ".json", ".xml"}
-                                              : Extensions{".tmx", ".tmj", ".json", ".xml"};
-  if (std::find(all.begin(), all.end(), lower(path.extension().string())) != all.end()) return {};
-  return "it has not the extension of a " + std::string(kind) + ", such as " + std::string(all.front()) +
-         ". If the map can be trusted: Options::filesAnywhere";
+  const std::string ofXml = kind == "tileset" ? ".tsx" : kind == "template" ? ".tx" : ".tmx";
+  const std::string ofJson = ofXml.substr(0, ofXml.size() - 1) + "j";
+  if (has(std::array<std::string, 4>{ofXml, ofJson, ".json", ".xml"}, lower(path.extension().string()))) return {};
+  return concat("it has not the extension of a ", kind, ", such as ", ofXml,
+                ". If the map can be trusted: Options::filesAnywhere");
 }
 
 }  // namespace
@@ -106,8 +104,9 @@ XmlFile::XmlFile(const XmlFile& by, const std::string& named, const char* rootNa
               by.quoting_.others ? "" : whyNotToRead(named, rootName)) {}
 
 void XmlFile::parse() {
-  const std::string foreign = foreignText(text_);
-  if (!foreign.empty()) return fail({}, foreign);
+  if (text_.empty()) return fail({}, isForeign("empty"));
+  const std::string other = foreign(Sign::text, [&](auto sign) { return text_.starts_with(sign); });
+  if (!other.empty()) return fail({}, other);
   const std::string_view start =
       trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
   if (start.starts_with('{') || start.starts_with('['))
@@ -124,7 +123,8 @@ void XmlFile::expectRoot(std::string_view rootName) const {
   const std::string_view found = root().name();
   if (found == rootName) return;
   if (rootName == "map" && found == "world" && root().attribute(kPathAttribute)) return;  // there are none in XML
-  if (const std::string foreign = foreignXml(found); !foreign.empty()) return fail(root(), foreign);
+  const std::string other = foreign(Sign::xml, [&](auto sign) { return found == sign; });
+  if (!other.empty()) return fail(root(), other);
   const std::string should = concat("should be <", rootName, ">: this is not the kind of file expected here");
   if (quoting_.own) return fail(root(), should);
   fail({}, "its root " + should);

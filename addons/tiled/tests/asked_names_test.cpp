@@ -24,21 +24,22 @@ Notes notesWithRules(const std::vector<std::string>& rules) {
 TEST(TiledAskedNames, PropertiesThatNothingHas) {
   EXPECT_EQ(notesWithRules({"collides", "unused", "Kind=rock", "unused="}), Notes{}) << "all are there";
   EXPECT_EQ(notesWithRules({"colides", "colides=1"}),
-            Notes{"no tile, tile layer or object has a property 'colides'; there is 'collides'"});
-  EXPECT_EQ(notesWithRules({"kind=rock"}),
-            Notes{"no tile, tile layer or object has a property 'kind'; there is 'Kind'"});
-  EXPECT_EQ(notesWithRules({"doors"}), Notes{"no tile, tile layer or object has a property 'doors'"})
-      << "that of an object layer makes no tile solid";
+            Notes{"no tile, tile layer or object has a property 'colides'; there are 'collides', 'Kind', 'class', "
+                  "'layer', 'unused'"});
+  EXPECT_EQ(notesWithRules({"kind=rock"}), Notes{"no tile, tile layer or object has a property 'kind'; there are "
+                                                 "'Kind', 'class', 'collides', 'layer', 'unused'"});
+  const std::string noDoors =
+      "no tile, tile layer or object has a property 'doors'; there are 'Kind', 'class', 'collides', 'layer', 'unused'";
+  EXPECT_EQ(notesWithRules({"doors"}), Notes{noDoors}) << "that of an object layer makes no tile solid";
 }
 
 TEST(TiledAskedNames, ValuesThatNothingHas) {
   const auto no = [](const std::string& value, const std::string& name) {
-    return "no tile, tile layer or object has '" + value + "' as its property '" + name + "'";
+    return "no tile, tile layer or object has a property '" + name + "' with the value '" + value + "'";
   };
   EXPECT_EQ(notesWithRules({"Kind=rock", "Kind=sand"}), Notes{no("sand", "Kind") + "; there is 'rock'"});
   EXPECT_EQ(notesWithRules({"collides=yes", "collides"}), Notes{no("yes", "collides") + "; there is 'true'"});
   EXPECT_EQ(notesWithRules({"Kind="}), Notes{no("", "Kind") + "; there is 'rock'"});
-  EXPECT_EQ(notesWithRules({"doors=1"}), Notes{"no tile, tile layer or object has a property 'doors'"});
 }
 
 /// Tiles whose property "kind" has these values, one layer that has another one, and "other" that has all of them.
@@ -56,9 +57,9 @@ Notes notesWithValues(const std::vector<std::string>& values, const std::string&
 }
 
 TEST(TiledAskedNames, SomeValuesAreNamed) {
-  const std::string no = "no tile, tile layer or object has 'sand' as its property 'kind'; there ";
+  const std::string no = "no tile, tile layer or object has a property 'kind' with the value 'sand'; there ";
   EXPECT_EQ(notesWithValues({"c", "b", "a", "b"}, "kind=sand"), Notes{no + "are 'a', 'b', 'c'"});
-  EXPECT_EQ(notesWithValues({"a", "b", "Sand", "send"}, "kind=sand"), Notes{no + "are 'Sand', 'a', 'b', 'send'"});
+  EXPECT_EQ(notesWithValues({"a", "b", "Sand", "send"}, "kind=sand"), Notes{no + "are 'Sand', 'send', 'a', 'b'"});
   EXPECT_EQ(notesWithValues({"a", "b", "c", "d", "e", "f"}, "kind=sand"),
             Notes{no + "are 'a', 'b', 'c', 'd', 'e', 'f'"});
   EXPECT_EQ(notesWithValues({"a", "b", "c", "d", "e", "f", "g", "sands"}, "kind=sand"),
@@ -75,19 +76,19 @@ Notes notesWithNumbers(BlockFrom from, const std::vector<std::string>& names) {
 }
 
 TEST(TiledAskedNames, NumbersOfNamesThatNothingHas) {
-  const auto unused = [](const std::string& name, const std::string& why) {
-    return "the number of '" + name + "' is not used: " + why;
-  };
-  const std::string noClass = "no tile, object or object layer has this class", noName = noClass + " or name";
+  const std::string noClass = "no tile, object or object layer has the class '";
+  const std::string classes = "'; there are 'ice', 'mud', 'oak', 'rim', 'stone'";
   EXPECT_EQ(notesWithNumbers(BlockFrom::tileClass, {"", "mud", "rim", "stone", "Ice"}),
-            (Notes{unused("G/Ground", noClass), unused("Gate", noClass), unused("Ice", noClass + "; there is 'ice'"),
-                   unused("Walls", noClass)}));
-  EXPECT_EQ(notesWithNumbers(BlockFrom::name, {"Edge", "rim", "Gaet"}),
-            (Notes{unused("G/Ground", noName), unused("Gaet", noName + "; there is 'Gate'"), unused("Walls", noName)}));
-  const std::string noLayer = "no layer has this path";
+            (Notes{noClass + "G/Ground" + classes, noClass + "Gate" + classes, noClass + "Ice" + classes,
+                   noClass + "Walls" + classes}));
+  const std::string noName = "no tile, object or object layer has the class or name '";
+  const auto named = notesWithNumbers(BlockFrom::name, {"Edge", "rim", "Gaet"});
+  ASSERT_EQ(named.size(), 3U);
+  EXPECT_EQ(named[1], noName + "Gaet'; there are 'Gate', 'Edge', 'ice', 'mud', 'oak', 'rim' and 1 more");
+  const std::string noLayer = "no layer has the path '";
   EXPECT_EQ(notesWithNumbers(BlockFrom::layer, {"Wall"}),
-            (Notes{unused("Gate", noLayer), unused("Wall", noLayer + "; there is 'Walls'"), unused("ice", noLayer),
-                   unused("oak", noLayer)}));
+            (Notes{noLayer + "Gate'; there are 'G/Ground', 'Walls'", noLayer + "Wall'; there are 'Walls', 'G/Ground'",
+                   noLayer + "ice'; there are 'G/Ground', 'Walls'", noLayer + "oak'; there are 'G/Ground', 'Walls'"}));
   EXPECT_EQ(notesWithNumbers(BlockFrom::one, {}),
             Notes{"numbers of names are not used, as all polygons get block 1: choose whose names (--block)"});
 }
@@ -114,7 +115,8 @@ TEST(TiledAskedNames, OneMapOfAWorldIsEnough) {
                     {"maps/a.tmx", mapXml(kContent)},
                     {"maps/b.tmx", mapXml(second)}};
   EXPECT_EQ(mustImportWorld(files, {.solidIf = {"collides", "unuse"}}).report.notes,
-            Notes{"no tile, tile layer or object has a property 'unuse'; there is 'unused'"});
+            Notes{"no tile, tile layer or object has a property 'unuse'; there are 'unused', 'Kind', 'class', "
+                  "'collides', 'layer'"});
 }
 
 TEST(TiledAskedNames, SimilarNames) {

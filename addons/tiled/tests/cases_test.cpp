@@ -113,7 +113,7 @@ TEST(TiledCases, AreTakenAsTheyAreMeantOrOffered) {
     EXPECT_THAT(summaryOf(map), HasSubstr(one.said));
     EXPECT_EQ(map.report.suggestions.empty() && one.polygons == 0, false);
     for (const Suggestion& offer : map.report.suggestions) {
-      const auto taken = mustImportFiles({{"maps/test.tmx", one.text}}, chosen({}, offer));
+      const auto taken = mustImportFiles({{"maps/test.tmx", one.text}}, offer.options);
       EXPECT_EQ(taken.placements.size(), offer.polygons) << offer.text;
     }
   }
@@ -152,7 +152,7 @@ TEST(TiledCases, EachOfferIsDifferentFromWhatWasTaken) {
   const auto map = mustImportFiles({{"maps/test.tmx", text}});
   EXPECT_EQ(map.placements.size(), 4U);
   ASSERT_FALSE(map.report.suggestions.empty());
-  const auto other = mustImportFiles({{"maps/test.tmx", text}}, chosen({}, map.report.suggestions.front()));
+  const auto other = mustImportFiles({{"maps/test.tmx", text}}, map.report.suggestions.front().options);
   EXPECT_EQ(other.placements.size(), 6U) << summaryOf(map);
 }
 

@@ -216,7 +216,7 @@ TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
       << "it stays free";
   EXPECT_THAT(
       importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"Ice"}})->report.notes,
-      ElementsAre("no tile, object or layer has the class or name 'Ice', which was to be left out; there is 'ice'"));
+      ElementsAre("no tile, object or layer has the class or name 'Ice'; there are 'ice', '3', 'Solid', 'dirt'"));
 }
 
 TEST(TiledEvidence, IntGridsThatAreCalledCollisionAreEnough) {
@@ -242,6 +242,10 @@ TEST(TiledEvidence, ValuesOfLdtkThatOneGoesThroughAreLeftOut) {
   const auto floors =
       test::must(importFiles({{"maps/test.tmx", replaced(replaced(text, "ice", "Floor"), "dirt", "Walls")}}));
   EXPECT_EQ(cellsOf(floors), (Cells{{1, -2}, {0, -1}})) << "a floor beside walls";
+  const auto soil = test::must(importFiles({{"maps/test.tmx", replaced(text, "ice", "Wall")}}));
+  EXPECT_EQ(soil.placements.size(), 4U);
+  EXPECT_THAT(soil.report.suggestions.at(0).arguments, ElementsAre("--no-objects", "--not", "3", "--not", "dirt"))
+      << "bodies may walk on what is no wall";
   const auto floorAlone = importFiles({{"maps/test.tmx", replaced(text, "ice", "Floor")}});
   EXPECT_EQ(floorAlone->placements.size(), 4U) << "a platformer stands on it";
   const std::string place = "\"px\":[8,8], \"width\":8, \"height\":8";
@@ -253,6 +257,12 @@ TEST(TiledEvidence, ValuesOfLdtkThatOneGoesThroughAreLeftOut) {
       {{"maps/test.tmx", project(level("A", 0, 0, grid("1,0,0,0,0,0") + "," + things(entity("Wall", 12, place))))}}));
   EXPECT_EQ(wall.placements.size(), 2U);
   EXPECT_EQ(wall.report.choice, "IntGrid layers: Solid; object layer Things/Wall: its name says 'wall'");
+  const auto water = test::must(importFiles(
+      {{"maps/test.tmx", project(level("A", 0, 0,
+                                       things(entity("Wall", 12, place) + "," +
+                                              entity("Water", 14, "\"px\":[0,0], \"width\":8, \"height\":8"))))}}));
+  EXPECT_EQ(water.report.also, "object layer Things/Water, of which nothing is taken");
+  EXPECT_EQ(water.report.suggestions.at(0).polygons, 2U) << "the walls and the water";
   const std::string only = replaced(project(level("A", 0, 0, grid("2,2,0,0,0,0"))), "ice", "ladder");
   EXPECT_EQ(importFiles({{"maps/test.tmx", only}})->placements.size(), 2U) << "else nothing would be left";
 }

@@ -61,7 +61,7 @@ TEST(TiledHidden, ObjectsAreMarkedOrLeftOut) {
   const auto visible = mustImport(content, visibleOnly());
   EXPECT_EQ(cellsOf(visible), (Cells{{0, -1}, {2, -1}}));
   EXPECT_THAT(numberedNotes(visible), ElementsAre("2: it is hidden"));
-  EXPECT_THAT(toText(visible.report), HasSubstr("Left out or cut off:\n  layer Walls\n    object 2: it is hidden"));
+  EXPECT_THAT(toText(visible.report), HasSubstr("Left out:\n  layer Walls\n    object 2: it is hidden"));
 }
 
 TEST(TiledHidden, ShapesOfTilesAndTileObjects) {

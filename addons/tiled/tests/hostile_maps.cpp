@@ -76,7 +76,6 @@ Options optionsFor(Random& choices) {
   Options options{.maxObjectCells = 1 << 12};
   if (choices.chance(20)) options.tolerance = lengthFor(choices);
   if (choices.chance(20)) options.polylineThickness = lengthFor(choices);
-  if (choices.chance(20)) options.outside = Outside::clip;
   if (choices.chance(20)) options.solidWithoutShapes = true;
   if (choices.chance(40)) options.objects.emplace();
   if (choices.chance(20)) options.blockFrom = static_cast<BlockFrom>(choices.below(5));
@@ -108,9 +107,9 @@ HostileMap HostileMap::draw(Random& choices) {
 std::string HostileMap::inWords() const {
   const Options& o = options;
   std::string words = fmt::format(
-      "{}\ntolerance {}, thickness {}, clips {}, squares {}, all objects {}, blocks from {}, {} names, {} classes left "
+      "{}\ntolerance {}, thickness {}, squares {}, all objects {}, blocks from {}, {} names, {} classes left "
       "out, {} properties, at most {} tiles, {} polygons, {} steps, {} bytes",
-      text, o.tolerance, o.polylineThickness, o.outside == Outside::clip, o.solidWithoutShapes, !o.objects.has_value(),
+      text, o.tolerance, o.polylineThickness, o.solidWithoutShapes, !o.objects.has_value(),
       static_cast<int>(o.blockFrom), o.blocks.size(), o.leaveOut.size(), o.solidIf.size(), o.maxTiles, o.maxPlacements,
       o.maxWork, o.maxBytes);
   return words;

@@ -57,7 +57,6 @@ TileReport tileWithNotes() {
           true,
           {{NoteKind::leftOut, 1, 0, 0, {}, "left"},
            {NoteKind::leftOut, 2, 0, 1, {-3, 8}, "left at a place"},
-           {NoteKind::clipped, 3, 0, 0, {}, "clipped"},
            {NoteKind::carried, 4, 0, 0, {}, "carried"},
            {NoteKind::trimmed, 5, 0, 12, {0, -1}, "trimmed"},
            {NoteKind::approximated, 6, 0, 0, {}, "approximated"},
@@ -69,18 +68,17 @@ TEST(TiledReport, NotesByHowMuchTheyMatter) {
   Report report = smallest();
   report.tiles = {tileWithNotes(),
                   {"set", 5, "", 1, true, {}},
-                  {"Höhle", 0, "", 1, true, {{NoteKind::clipped, 9, 0, 0, {}, "clipped too"}}}};
+                  {"Höhle", 0, "", 1, true, {{NoteKind::leftOut, 9, 0, 0, {}, "left too"}}}};
   EXPECT_EQ(toText(report),
             "a.tmx: nothing in it is solid\n"
             "  3×2 tiles of 32×16 px; polygons in 0 cells\n"
             "\n"
-            "Left out or cut off:\n"
+            "Left out:\n"
             "  set #4 'lava', 2 uses\n"
             "    object 1: left\n"
             "    object 2: left at a place (1 place, first in cell -3, 8)\n"
-            "    object 3: clipped\n"
             "  Höhle #0, 1 use\n"
-            "    object 9: clipped too\n"
+            "    object 9: left too\n"
             "\n"
             "Changed on the way in:\n"
             "  set #4 'lava', 2 uses\n"
@@ -160,12 +158,12 @@ TEST(TiledReport, OfAWholeImport) {
   const std::string tiles = "<tile id='0' class='rock'><objectgroup>" + kFullTile + "</objectgroup></tile>" +
                             "<tile id='1' type='slope'><objectgroup>"
                             "<object id='1' x='0.5' y='32'><polygon points='0,0 31.75,0 31.5,-30.5'/></object>"
-                            "<object id='2' class='ice' x='2' y='-4' width='8' height='8'/>"
+                            "<object id='2' class='ice' x='2' y='0' width='8' height='4'/>"
                             "<object id='3' x='20' y='2' width='6' height='6'><ellipse/></object>"
                             "<object id='4' x='20' y='9' width='6' height='3'><capsule/></object>"
                             "<object id='5'><point/></object></objectgroup></tile><tile id='2'/>";
   const std::string set = "<tileset firstgid='1' name='Höhle' tilewidth='32' tileheight='32'>" + tiles + "</tileset>";
-  const Options options{.outside = Outside::clip, .blockFrom = BlockFrom::tileClass};
+  const Options options{.blockFrom = BlockFrom::tileClass};
   const auto map = mustImport(set + csvLayer(2, 2, "2,3,1,2") +
                                   "<layer name='More' width='2' height='2' offsety='32'><data encoding='csv'>"
                                   "2,0,0,0</data></layer><imagelayer name='Sky'/>",
@@ -185,10 +183,9 @@ TEST(TiledReport, OfAWholeImport) {
       "the "
       "numbers. Choose them, or look them up by name\n"
       "\n"
-      "Left out or cut off:\n"
+      "Left out:\n"
       "  Höhle #1 'slope', 3 uses in layers Ground, More\n"
       "    object 5: a point has no area\n"
-      "    object 2: reaches up to 4 px out of its cell: cut off\n"
       "\n"
       "Changed on the way in:\n"
       "  Höhle #1 'slope', 3 uses in layers Ground, More\n"

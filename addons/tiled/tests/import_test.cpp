@@ -28,9 +28,9 @@ TEST(TiledEncodings, BombsAndDamageAreRefused) {
   const std::string bomb(8'000'000, '\0');
   const std::string zlib = deflated(rawTiles({1, 0, 1, 0, 1, 0}), 15);
   EXPECT_THAT(refusal("compression='zlib'", deflated(bomb, 15)), HasSubstr("more than the 6 tiles"));
-  EXPECT_THAT(refusal("compression='zstd'", zstdPacked(bomb)), HasSubstr("2000000 tiles where its size asks for 6"));
+  EXPECT_THAT(refusal("compression='zstd'", zstdPacked(bomb)), HasSubstr("more than the 6 tiles of its size"));
   EXPECT_THAT(refusal("compression='zlib'", zlib.substr(0, 8)), HasSubstr("damaged"));
-  EXPECT_THAT(refusal("compression='zstd'", zlib), HasSubstr("not zstd"));
+  EXPECT_THAT(refusal("compression='zstd'", zlib), HasSubstr("Unknown frame"));
   EXPECT_THAT(refusal("compression='lzma'", zlib), HasSubstr("unknown compression 'lzma'"));
   EXPECT_THAT(refusal("", rawTiles({1, 2})), HasSubstr("holds 2 tiles where its size asks for 6"));
 }
@@ -234,7 +234,7 @@ TEST(TiledBlocks, AreFoundByName) {
   EXPECT_THAT(import("1,2", options).report.notes,
               ElementsAre("blocks are numbered in the order of their first use: ice, (no class). An edit of "
                           "the map may change the numbers. Choose them, or look them up by name",
-                          "the number of 'lava' is not used: no tile, object or object layer has this class"));
+                          "no tile, object or object layer has the class 'lava'; there is 'ice'"));
   options.blocks = {{"", 2}, {"ice", 7}};
   EXPECT_EQ(import("1,2", options).block("ice"), 7U);
   EXPECT_TRUE(import("1,2", options).report.notes.empty()) << "all numbers were chosen";

@@ -212,22 +212,23 @@ TEST(TiledJson, ErrorsNameThePlace) {
 
 TEST(TiledJson, ANumberOfAnotherTypeIsNamed) {
   const auto withoutNumber = [](const std::string& value) {
-    const std::string should = " should be a number";
+    const std::string is = "='" + std::string(value.size() > 3 ? value : "…") + "' should be a ";
+    const std::string whole = is + "whole number from ", finite = is + "finite number";
     const auto objects = [&](const std::string& content) {
       return mapJson(R"("layers":[{"type":"objectgroup", "name":"Walls", "objects":[{)" + content + "}]}]");
     };
-    const std::string object = ": layers/0/objects/0/", set = R"("tilesets":[{"firstgid":1, "tilewidth":8, )";
+    const std::string object = ": layers/0/objects/0 ", set = R"("tilesets":[{"firstgid":1, "tilewidth":8, )";
     const std::vector<std::pair<std::string, std::string>> cases{
-        {R"({"type":"map", "tilewidth":)" + value + R"(, "tileheight":8})", ": tilewidth" + should},
-        {objects("\"gid\":" + value), object + "gid" + should},
-        {objects("\"x\":" + value), object + "x" + should},
-        {objects("\"rotation\":" + value), object + "rotation" + should},
+        {R"({"type":"map", "tilewidth":)" + value + R"(, "tileheight":8})", ": <map> tilewidth" + whole + "1 to 65536"},
+        {objects("\"gid\":" + value), object + "gid" + whole + "0 to 4294967295"},
+        {objects("\"x\":" + value), object + "x" + finite},
+        {objects("\"rotation\":" + value), object + "rotation" + finite},
         {mapJson(set + "\"tileheight\":8, \"tileoffset\":{\"y\":" + value + "}}]"),
-         ": tilesets/0/tileoffset/y" + should},
-        {mapJson(set + "\"tileheight\":8, \"image\":\"i\", \"imagewidth\":" + value + "}]"),
-         ": tilesets/0/imagewidth" + should},
-        {mapJson("\"layers\":[{\"type\":\"group\", \"offsety\":" + value + "}]"), ": layers/0/offsety" + should},
-        {mapJson("\"layers\":[{\"type\":\"group\", \"parallaxx\":" + value + "}]"), ": layers/0/parallaxx" + should}};
+         ": tilesets/0/tileoffset y" + finite},
+        {mapJson(set + "\"tileheight\":8, \"tiles\":[{\"id\":0, \"image\":\"i\", \"imagewidth\":" + value + "}]}]"),
+         ": tilesets/0/tiles/0 width" + whole + "0 to 1048576"},
+        {mapJson("\"layers\":[{\"type\":\"group\", \"offsety\":" + value + "}]"), ": layers/0 offsety" + finite},
+        {mapJson("\"layers\":[{\"type\":\"group\", \"parallaxx\":" + value + "}]"), ": layers/0 parallaxx" + finite}};
     for (const auto& [json, expected] : cases) EXPECT_EQ(refusalOf(json), "maps/test.tmx" + expected) << json;
     EXPECT_EQ(refusalOf(objects("\"width\":8, \"height\":8, \"note\":" + value)), "accepted") << "nobody reads it";
   };

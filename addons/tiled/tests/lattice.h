@@ -1,7 +1,7 @@
 // All polygons of a tiny lattice, and slow rules for them that are plainly right.
 #pragma once
 
-#include "addons/tiled/src/loops.h"
+#include "addons/tiled/src/pixel_grid.h"
 
 #include <gtest/gtest.h>
 

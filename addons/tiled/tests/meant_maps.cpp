@@ -244,6 +244,14 @@ std::vector<MeantMap> meantMaps() {
 
       {"terrain in two layers, and walls", mapOf(none, tiles("terrain", B) + tiles("terrain2", D) + tiles("walls", W)),
        W},
+      {"a wall and more ground, from the side",
+       mapOf(none, tiles("wall", "a......./a......./......../........") +
+                       tiles("ground", "......../......../......../aaaaaaa.")),
+       "a......./a......./......../aaaaaaa."},
+      {"switches in the floor beside walls",
+       mapOf(none,
+             tiles("background", B) + tiles("walls", W) + objects("logic", box(3, 1, 1, 1, "name='floor_switch'"))),
+       W},
       {"what stands on the terrain is no terrain", mapOf(none, tiles("terrainEntities", D) + tiles("walls", W)), W},
       {"things that collide with the player, and where one wins",
        mapOf(none, tiles("T1", B) + objects("Objects", box(0, 2, 8, 2, "name='player_collide'") +

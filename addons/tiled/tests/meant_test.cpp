@@ -42,7 +42,7 @@ TEST(TiledMeant, MapsAreTakenAsTheyAreMeant) {
     const ImportedMap map = importMeant(meant);
     const std::string solid = meantPicture(meant), got = pictureOf(map);
     for (const Suggestion& offer : map.report.suggestions) {
-      EXPECT_EQ(importMeant(meant, chosen({}, offer)).placements.size(), offer.polygons) << offer.text;
+      EXPECT_EQ(importMeant(meant, offer.options).placements.size(), offer.polygons) << offer.text;
       EXPECT_GT(offer.polygons, 0U) << offer.text;
     }
     const auto isWithin = [&](std::size_t k) { return got[k] != '#' || solid[k] == '#'; };
@@ -56,7 +56,7 @@ TEST(TiledMeant, MapsAreTakenAsTheyAreMeant) {
       continue;
     }
     const std::vector<Suggestion>& offers = map.report.suggestions;
-    const bool isRight = !offers.empty() && pictureOf(importMeant(meant, chosen({}, offers.front()))) == solid;
+    const bool isRight = !offers.empty() && pictureOf(importMeant(meant, offers.front().options)) == solid;
     afterCommand += isRight;
     EXPECT_TRUE(isRight) << "got " << got << "\n" << toText(map.report);
   }

@@ -244,7 +244,7 @@ TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
             "  layer Doors  passed over, 1 object: neither its name, its class nor a property says that it is solid\n"
             "  block 1  1 polygon\n"
             "\n"
-            "Left out or cut off:\n"
+            "Left out:\n"
             "  layer Walls\n"
             "    objects 3, 4, each: a point has no area\n");
 }

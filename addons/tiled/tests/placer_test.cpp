@@ -13,7 +13,7 @@ ImportedMap placed(const std::vector<Polygon>& rings) {
   Budget budget{Options{}};
   Placer placer(budget);
   for (Block block = 1; const Polygon& ring : rings) {
-    placer.place({3, -8}, placer.entry({placer.shape(ring), block++, kNoTile}));
+    placer.place({3, -8}, placer.entry({{}, block++, placer.shape(ring), kNoTile}));
   }
   ImportedMap map;
   map.report.layers.emplace_back();
@@ -25,7 +25,7 @@ TEST(TiledPlacer, EntriesAreToldApartByEveryField) {
   // All combinations of three values, once upwards and once downwards.
   std::vector<Placer::Entry> entries;
   for (std::uint32_t code = 0; code < 243; ++code) {
-    entries.push_back({code % 3, static_cast<Block>(code / 3 % 3), code / 9 % 3, code / 27 % 3, code / 81});
+    entries.push_back({{}, static_cast<Block>(code / 3 % 3), code % 3, code / 9 % 3, code / 27 % 3, code / 81});
   }
   for (const bool down : {false, true}) {
     Budget budget{Options{}};
@@ -56,7 +56,7 @@ TEST(TiledPlacer, CellsComeRowByRow) {
   for (const std::int32_t j : {-40, kMaxCell, -1, 17, 0, -16, -kMaxCell, 16}) {
     for (const std::int32_t i : {3, -kMaxCell, 16, -17, 15, kMaxCell, -16, 0, 2}) {
       const auto block = expected[{j, i}] = static_cast<Block>(expected.size());
-      placer.place({i, j}, placer.entry({shape, block, kNoTile}));
+      placer.place({i, j}, placer.entry({{}, block, shape, kNoTile}));
     }
   }
   ImportedMap map;
@@ -158,7 +158,8 @@ TEST(TiledPlacer, WhatMeetsInACellIsTakenFromTheBudget) {
     Placer placer(budget);
     for (const Cell cell : {Cell{0, 0}, Cell{1, 0}}) {  // what happened in one cell is known in the next
       for (std::int64_t x = 0; x < 3'000; x += 1'000) {
-        placer.place(cell, placer.entry({placer.shape({{x, 0}, {x + 900, 0}, {x + 900, 900}, {x, 900}}), 1, kNoTile}));
+        placer.place(cell,
+                     placer.entry({{}, 1, placer.shape({{x, 0}, {x + 900, 0}, {x + 900, 900}, {x, 900}}), kNoTile}));
       }
     }
     ImportedMap map;

@@ -61,17 +61,14 @@ TEST(TiledSnapping, OnlyWithinTheTolerance) {
   EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(9, 0, 32, 32)}));
 }
 
-TEST(TiledReach, CarriedOrCutOff) {
+TEST(TiledReach, IsCarried) {
   const std::string objects = "<object id='1' x='16' y='16' width='32' height='32'/>";
   const auto carried = importTile(objects);
   EXPECT_EQ(cellsOf(carried), (Cells{{0, -2}, {1, -2}, {0, -1}, {1, -1}}));
   EXPECT_DOUBLE_EQ(areaInCells(carried), 1.0);
   EXPECT_EQ(worldOf(carried).loops(Collinear::merge).at(0).vertices.size(), 4U);
-  const auto clipped = importTile(objects, {.outside = Outside::clip});
-  EXPECT_EQ(ringsIn(clipped, {0, -1}), (Rings{pxBox(16, 0, 32, 16)}));
-  EXPECT_EQ(clipped.placements.size(), 1U);
-  EXPECT_THAT(noteKinds(clipped), ElementsAre(NoteKind::clipped));
-  EXPECT_EQ(clipped.report.tiles[0].notes[0].pixels, 16);
+  EXPECT_THAT(noteKinds(carried), ElementsAre(NoteKind::carried));
+  EXPECT_EQ(carried.report.tiles[0].notes[0].pixels, 16);
 }
 
 TEST(TiledReach, AConcavePolygonFallsIntoPieces) {

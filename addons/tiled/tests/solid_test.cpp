@@ -185,22 +185,6 @@ TEST(TiledSuggestions, ObjectLayersThatWerePassedOver) {
   EXPECT_EQ(named.report.choice, "objects that are called wall (--objects wall)");
 }
 
-TEST(TiledSuggestions, AreOptions) {
-  const Options all = chosen({.tolerance = 3, .layers = {"Z"}},
-                             {"",
-                              {"--layer", "--solid", "--solid", "--solid-if", "a=b", "--objects", "A", "--objects", "B",
-                               "--not", "C", "--visible", "--polyline-thickness", "4.5"}});
-  EXPECT_EQ(all.tolerance, 3) << "what does not choose stays";
-  EXPECT_THAT(all.layers, ElementsAre("--solid"));
-  EXPECT_TRUE(all.solidWithoutShapes && all.visibleOnly);
-  EXPECT_THAT(all.solidIf, ElementsAre("a=b"));
-  EXPECT_THAT(all.objects.value(), ElementsAre("A", "B"));
-  EXPECT_THAT(all.leaveOut, ElementsAre("C"));
-  EXPECT_EQ(all.polylineThickness, 4.5);
-  EXPECT_TRUE(chosen({}, {"", {"--no-objects"}}).objects.value().empty());
-  EXPECT_EQ(chosen({}, {"", {"--polyline-thickness", "x", "--layer"}}).polylineThickness, 0);
-}
-
 TEST(TiledSuggestions, AreInTheReport) {
   const auto map = mustImport("<objectgroup name='My boxes'><object id='1' width='9' height='9'/></objectgroup>");
   EXPECT_EQ(

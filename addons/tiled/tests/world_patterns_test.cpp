@@ -125,7 +125,7 @@ TEST(TiledWorldPatterns, Refusals) {
   EXPECT_EQ(refusalBy(byPatterns(patternOf("p(.)_(.)", ", \"offsetX\":0.5")), zero),
             at + "offsetX='0.5' should be a whole number from -2147483648 to 2147483647");
   EXPECT_EQ(refusalBy(byPatterns(patternOf("p(.)_(.)", ", \"multiplierY\":[]")), zero),
-            "maps/test.world: patterns/0/multiplierY should be a number");
+            "maps/test.world: patterns/0 multiplierY='…' should be a whole number from -2147483648 to 2147483647");
   EXPECT_EQ(refusalBy(byPatterns(patternOf("p(1)_(1)")), files),
             "maps/p1_1.png: is a PNG image, and no map. What is read: maps of Tiled (TMX or JSON), worlds of Tiled and "
             "projects of LDtk (it fits the pattern 'p(1)_(1)' of the world)");

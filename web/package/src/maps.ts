@@ -43,7 +43,6 @@ function lookup(files: MapFiles) {
 const kinds: Record<keyof ImportOptions, (v: unknown) => boolean> = {
   tolerance: Number.isFinite, polylineThickness: Number.isFinite,
   solid: (v) => typeof v === 'boolean', visible: (v) => typeof v === 'boolean', allMaps: (v) => typeof v === 'boolean',
-  outside: (v) => v === 'carry' || v === 'clip',
   block: (v) => v === 'one' || v === 'class' || v === 'name' || v === 'layer',
   solidIf: isTexts, layers: isTexts, objects: isTexts, not: isTexts, tiles: isText,
   numbers: (v) => typeof v === 'object' && v !== null && !Array.isArray(v) &&

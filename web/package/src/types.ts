@@ -313,8 +313,6 @@ export interface World {
 export interface ImportOptions {
   /** Pixels: a vertex that misses a grid line by so much is put on it. Default 1. */
   tolerance?: number
-  /** What reaches out of its tile goes into the neighbouring cells (the default), or is cut off. */
-  outside?: 'carry' | 'clip'
   /** A tile without collision shapes is a full square. */
   solid?: boolean
   /** The same for tiles with one of these properties: 'NAME' or 'NAME=VALUE'. */

@@ -183,7 +183,7 @@ export function traces(text: string, world: World): string {
 
 export function maps(world: World): number {
   const map: ImportedMap = importMap('a.tmx', { 'a.tmx': '<map/>', 'b.tsx': new Uint8Array(3) },
-    { tolerance: 1, outside: 'clip', solid: true, solidIf: ['a'], block: 'class', numbers: { ice: 3 }, layers: ['Ground'] })
+    { tolerance: 1, solid: true, solidIf: ['a'], block: 'class', numbers: { ice: 3 }, layers: ['Ground'] })
   // @ts-expect-error: no such option
   importMap('a.tmx', {}, { tolerances: 1 })
   const blocks: number[] = Object.values(map.blocks)

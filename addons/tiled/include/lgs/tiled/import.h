@@ -1,13 +1,8 @@
 // Maps of Tiled and LDtk as polygons in cells, ready for lgs::World.
 //
-//   auto map = lgs::tiled::importMap("level1.tmx");
-//   if (!map) { puts(lgs::tiled::message(map.error()).c_str()); return; }
-//   for (const auto& p : map->placements) {
-//     const auto handle = world.add(p.cell, map->shapes[p.shape], p.block);
-//     if (handle) tiles[*handle] = p.tile;  // a hit names the polygon, and so the tile; saved worlds keep handles
-//   }
-//   world.commit();
-//   puts(lgs::tiled::toText(map->report).c_str());
+//   const auto map = lgs::tiled::importMap("level1.tmx");
+//   if (!map) return puts(lgs::tiled::message(map.error()).c_str());
+//   for (const auto& p : map->placements) world.add(p.cell, map->shapes[p.shape], p.block);
 //
 // WHAT IS READ. Tiled's orthogonal maps, tilesets and templates in XML and in JSON, and its worlds; LDtk projects from
 // 0.8 on. The content of a file says what it is, not its name. Each tile brings the collision shapes that were drawn in
@@ -18,21 +13,20 @@
 // What has no area or is not supported is left out, and the report names it. docs/maps.md has more.
 //
 // WHERE THINGS LAND. One tile of the map's grid is one cell. y points up: the tile in column c and row r of the map is
-// cell (c, -1 - r). So the top edge of row 0 is y = 0, and cells keep their numbers when the map grows. This holds for
-// finite and infinite maps alike. If a tile's image is larger than the grid, its lower left corner is that of its cell,
-// as Tiled draws it. The offset of a layer includes those of its groups, and of its map in a world or of its level. The
-// whole tiles in it move the layer by as many cells. The rest makes the layer's polygons reach out of their cells.
+// cell (c, -1 - r), in finite and infinite maps alike. A tile whose image is larger than the grid has its lower left
+// corner in that of its cell, as Tiled draws it. The offset of a layer includes those of its groups, and of its map in a
+// world or of its level. The whole tiles in it move the layer by as many cells. The rest makes the layer's polygons
+// reach out of their cells.
 //
 // HAND-DRAWN SHAPES. Each coordinate that misses a grid line by at most `Options::tolerance` pixels moves onto the
-// line, then it is rounded once, to the nearest lattice unit. If that brought sides of a shape onto each other, none of
-// its vertices snaps, and the report says so. An outline may cross itself: inside is what Tiled fills. Shapes are cut
-// along the grid; what lies of a tile's shapes in other cells goes there, or is dropped, as `Options::outside` says.
-// Where edges cross the grid or each other the rounding is that of a brush (lgs/brush.h), at most one lattice unit.
+// line, then it is rounded once, to the nearest lattice unit. If that brought sides of a simple shape onto each other,
+// none of its vertices snaps, and the report says so. An outline may cross itself: inside is what Tiled fills. Shapes
+// are cut along the grid; what lies of a tile's shapes in other cells goes there. Where edges cross the grid or each
+// other the rounding is that of a brush (lgs/brush.h), at most one lattice unit.
 //
 // OVERLAPS. What is placed first stays, and what comes later loses the part that is covered already: first the polygons
-// in their own cells, layer by layer from the bottom to the top, then the carried parts, then the objects of object
-// layers in the map's order. Where slanted outlines cross in a cell both get the same vertex, and the result misses
-// what was drawn by at most a lattice unit. What is narrower than some units is dropped.
+// in their own cells, layer by layer from the bottom to the top, then the parts in other cells, then the objects of
+// object layers in the map's order. What is narrower than some units is dropped.
 //
 // WHAT COMES OUT. Every placement is simple, counter-clockwise, inside its cell, disjoint from the others of its cell,
 // and within World's limits for a cell. So World::add accepts all of them.
@@ -42,20 +36,13 @@
 // memory is taken, work is counted and refused before it is done, and nothing recurses without a limit.
 //
 // COST. Linear in the number of tiles, and in that of the cells that objects reach. Polygons are compared once for each
-// combination of tiles that meet in a cell. A combination of polygons that lie on each other takes a brush some 0.2 ms.
-// Whatever is in the files, an import takes work and memory in proportion to their bytes, beyond the limits of Options.
+// combination of tiles that meet in a cell; one of polygons that lie on each other takes a brush some 0.2 ms. Whatever
+// is in the files, an import takes work and memory in proportion to their bytes, beyond the limits of Options.
 #pragma once
 
 #include <lgs/tiled/report.h>
 
-#include <lgs/ids.h>
-#include <lgs/lattice.h>
-
-#include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -85,111 +72,8 @@ inline constexpr std::size_t kObjectCellsPerByte = 256;
 /// A layer whose path has more bytes than this is an error.
 inline constexpr std::size_t kMaxPathLength = 4'096;
 
-/// What happens to the part of a polygon that lies outside its cell.
-enum class Outside : std::uint8_t {
-  carry,  ///< it becomes a polygon of the cell that it lies in
-  clip,   ///< it is dropped
-};
-
-/// Where a polygon's block comes from.
-enum class BlockFrom : std::uint8_t {
-  one,        ///< every polygon gets block 1; but in an LDtk project a cell gets its value, and each kind of entity a
-              ///< separate block, as with tileClass, whose names are those of values and entities
-  tileClass,  ///< the class of the collision object ("type" before Tiled 1.9); if it has none, that of its tile or, in
-              ///< an object layer, of its layer
-  name,       ///< the name of the collision object; if it has none, as tileClass
-  layer,      ///< the path of the layer, "Group/Layer", without that of its map in a world or of its level
-};
-
-/// What a tile is by the code of a game, which its maps do not say.
-struct TileShape {
-  std::vector<DoublePoint> outline;  ///< in tiles, from the tile's lower left corner, y up; empty: it is not solid
-  bool oneWay = false;               ///< the outline is an open polyline, for Options::polylineThickness
-};
-
-/// Shapes by the name of the tileset ("" for any) and the number of the tile in it, from 0.
-using TileTable = std::map<std::string, std::map<std::uint32_t, TileShape>>;
-
 /// Reads a table as docs/maps.md, "Tiles by their numbers", describes it. The error is "LINE: what is wrong".
 tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
-
-/// What to import, and how. The defaults suit most maps.
-///
-/// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
-/// evidence that there is in it: 1. shapes of tiles, and layers, classes and properties that say collision, all
-/// together; 2. those that say ground or wall; 3. the only tile layer, if it is half empty. What is deadly or passable
-/// is left out. docs/maps.md, "What is taken without options", has the words. Report::choice says what was taken. The
-/// next best choice is tried as well, so that takes twice as long. `layers` narrows where that is looked for. With any
-/// of the four nothing is chosen: they hold, and so do the shapes of tiles.
-struct Options {
-  double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
-  Outside outside = Outside::carry;  ///< what happens to what reaches out of its cell
-  bool solidWithoutShapes = false;   ///< a tile without any collision object is a full square (true) or empty (false)
-
-  /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property "class", and a
-  /// layer its path as "layer". Unless `objects` names some, objects that have such a property are taken from any
-  /// object layer. The report names those properties that nothing has, names and values alike.
-  std::vector<std::string> solidIf = {};
-
-  TileTable tiles = {};  ///< shapes of tiles by their numbers; they replace those in the tileset
-
-  /// What is not solid: classes of tiles and values of IntGrid layers, classes and names of shapes and objects, names
-  /// of layers, and properties of all of these, as "NAME=VALUE".
-  std::vector<std::string> leaveOut = {};
-
-  BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
-
-  /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names
-  /// get the least unused numbers from 1 up, in the order in which the import meets them: first tile layers in the
-  /// map's order, and in a layer tiles by rows from the top, then objects. Such numbers may change with an edit of the
-  /// map, and the report warns of them. A game that knows a class gives it a number here, or asks for it:
-  /// ImportedMap::block("ice").
-  std::map<std::string, Block> blocks = {};
-
-  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups; in worlds and LDtk projects also of
-  /// maps or levels, and paths may begin with them or not. Empty means all tile layers. A name that fits none is an
-  /// error.
-  std::vector<std::string> layers = {};
-
-  /// Object layers to import: names or paths of layers or groups, or classes or names of objects, which then are taken
-  /// from any layer; an empty list takes none. A name that fits none is an error. Without a list, all are taken whose
-  /// name, class or property says that they are solid. If `layers` has names, they must also be in a group that it
-  /// names.
-  std::optional<std::vector<std::string>> objects = {};
-
-  bool visibleOnly = false;  ///< hidden layers and objects, and what is in hidden groups, are left out
-
-  /// Pixels, finite, 0 or more. If more, each segment of an open polyline becomes a polygon: what lies up to so many
-  /// pixels below it, or right of it if it is steeper than 45°.
-  double polylineThickness = 0;
-
-  /// The folder in which, or below which, the files lie that the map names. Empty: the map's folder; or, if importMap()
-  /// reads from the disk, the project's: projectFolder(). Nothing is read by a name that leads out of it, by
-  /// an absolute one or one without the extension of its kind: a tileset is then as one that is missing, and a map or
-  /// level is an error. So are symbolic links out of it on the disk. Errors quote no text
-  /// of files other than the map's own: an untrusted map could name private files.
-  std::string filesIn = {};
-
-  /// The map is trusted: the files that it names may lie anywhere that the reader reads, and have any name.
-  bool filesAnywhere = false;
-
-  /// A map of a world that cannot be read is an error. Otherwise the report names it, and the others are imported.
-  bool allMaps = false;
-
-  /// Limits. A map that goes beyond one of them is an error.
-  std::size_t maxTiles = std::size_t{1} << 24;       ///< of the imported layers together, with the empty ones
-  std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away
-  std::size_t maxBytes = std::size_t{1} << 27;       ///< of all files together; one that is read again counts again
-
-  /// Limits of what is not to be seen from the number of tiles and polygons. Each byte that is read adds to them, so
-  /// what a map costs is in proportion to its size: docs/maps.md, "What a map may cost".
-  std::size_t maxObjectCells = std::size_t{1} << 20;  ///< cells of the bounding boxes of all shapes together
-  std::size_t maxWork = std::size_t{1} << 28;         ///< steps: of outlines that meet, shape by shape, cell by cell
-};
-
-/// The options with the choice that a suggestion is.
-Options chosen(Options options, const Suggestion& suggestion);
 
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
 struct ImportError {
@@ -214,6 +98,8 @@ struct MapPolygon {
   std::uint32_t tile = 0;    ///< index in Report::tiles, or kNoTile
   std::uint32_t object = 0;  ///< id of the collision object; 0 for a full square that Options asked for
   std::uint32_t layer = 0;   ///< index in Report::layers
+
+  friend auto operator<=>(const MapPolygon&, const MapPolygon&) = default;
 };
 
 /// What importMap() makes of a map.

@@ -1,21 +1,15 @@
 // What an import reports: what came in, what was taken without options and why, and what was left out or changed.
 #pragma once
 
-#include <lgs/ids.h>
-#include <lgs/lattice.h>
+#include <lgs/tiled/options.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace lgs::tiled {
 
 /// The kinds of notes, those that matter most first.
 enum class NoteKind : std::uint8_t {
   leftOut,       ///< the object, or a part of it, is not in the result
-  clipped,       ///< a part that reached out of the cell was cut off
   carried,       ///< a part that reached out of the cell went into a neighbouring cell
   trimmed,       ///< a part lay on a polygon that was there before, and was taken away
   approximated,  ///< a curve became a polygon
@@ -29,8 +23,7 @@ enum class NoteKind : std::uint8_t {
 struct Note {
   NoteKind kind{};           ///< what happened
   std::uint32_t object = 0;  ///< id of the collision object
-  double pixels = 0;         ///< snapped, takenBack: the furthest move; carried, clipped: the furthest reach; nearMiss:
-                             ///< the miss
+  double pixels = 0;         ///< snapped, takenBack: the furthest move; carried: the furthest reach; nearMiss: the miss
   std::uint64_t places = 0;  ///< in how many cells; 0 for notes that hold wherever the tile is used
   Cell cell;                 ///< the first of these cells, by rows from the lowest
   std::string text;          ///< the note in words, without the object's number
@@ -73,11 +66,10 @@ struct BlockReport {
 
 /// Something in a map that could be taken instead of what was. It was tried.
 struct Suggestion {
-  std::string text;  ///< "tile layer Ground, 34 % of the map: its name says 'ground'"
-  std::vector<std::string>
-      arguments;               ///< of `lgs import` that choose it: "--objects", "Boxes". The same as in Options.
-                               ///< They stand for all of Options that choose, up to `visibleOnly`
-  std::uint64_t polygons = 0;  ///< how many it gives, more than none
+  std::string text;                    ///< "tile layer Ground, 34 % of the map: its name says 'ground'"
+  std::vector<std::string> arguments;  ///< of `lgs import` that choose it: "--objects", "Boxes"
+  std::uint64_t polygons = 0;          ///< how many it gives, more than none
+  Options options = {};                ///< those of the import, with this choice
 };
 
 /// How many suggestions there are at most, and so how often a map is imported for them.

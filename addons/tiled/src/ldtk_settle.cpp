@@ -1,94 +1,12 @@
+// What of an LDtk project depends on the layers that are wanted.
 #include "layers.h"
 #include "ldtk.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 
 namespace lgs::tiled {
-
-DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
-  const double tileset = layer["__tilesetDefUid"].number(0);
-  const auto [at, isNew] = sets_.try_emplace({layer["layerDefUid"].number(0), tileset});
-  if (isNew) {
-    at->second = {(kMaxLdtkSets + sets_.size()) * kLdtkSetSize,
-                  layer.text("__identifier"),
-                  layer["__gridSize"].number(0),
-                  tileset,
-                  {}};
-  }
-  if (sets_.size() <= kMaxLdtkSets) return &at->second;
-  sets_.erase(at);
-  return nullptr;
-}
-
-/// A layer that cannot be solid says why, for whoever asks.
-void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
-  const double side = layer["__gridSize"].number(0);
-  setAttribute(to, kDrawnAttribute, "1");
-  setNumbers(to, {{kLdtkGridAttribute, side}, {"width", 0}, {"height", 0}});  // each tile is a chunk: some share a cell
-  Set* const set = setOf(layer);
-  if (!set) return setAttribute(to, kLdtkNotSolidAttribute, "is one layer of tiles too many to be solid");
-  const double tileSide = tilesets_[set->tileset]["tileGridSize"].number(side);
-  if (tileSide != side) {
-    setAttribute(to, kLdtkNotSolidAttribute,
-                 concat("has tiles of ", numberText(tileSide), " px on a grid of ", numberText(side),
-                        " px. Only tiles as large as the grid can be solid"));
-  }
-  const pugi::xml_node data = addElement(to, "data", layer);
-  setAttribute(data, "encoding", "csv");
-  std::set<std::tuple<double, double, double>> known;
-  std::uint64_t astray = 0;
-  for (const char* list : {"gridTiles", "autoLayerTiles"}) {
-    for (const JsonPlace& tile : layer[list].objects()) {
-      const std::vector<JsonPlace> px = tile["px"].elements();
-      const double id = tile["t"].number();
-      if (px.size() != 2 || !(id >= 0 && id < kLdtkSetSize && id == std::floor(id))) {
-        return tile.fail(concat("should have two numbers 'px', and a tile 't' from 0 to ", kLdtkSetSize - 1));
-      }
-      const double column = px[0].number() / side, row = px[1].number() / side;
-      if (column != std::floor(column) || row != std::floor(row)) {
-        ++astray;
-      } else if (known.insert({column, row, id}).second) {
-        const auto number = static_cast<std::uint64_t>(id);
-        set->tiles.insert(number);
-        const pugi::xml_node chunk = addElement(data, "chunk", tile);
-        setNumbers(chunk, {{"x", column}, {"y", row}, {"width", 1}, {"height", 1}});
-        chunk.text() = std::to_string(set->firstGid + number).c_str();
-      }
-    }
-  }
-  if (astray > 0) setAttribute(to, kRemarkAttribute, concat(astray, " tiles beside the grid are left out"));
-}
-
-void DrawnLayers::writeTilesets(pugi::xml_node map, const std::map<std::string, std::uint64_t>& names) const {
-  for (const auto& [key, set] : sets_) {
-    std::string name = set.layer;
-    while (names.contains(name)) name.insert(0, set.layer + ".");
-    const pugi::xml_node node = addTileset(map, set.layer, set.firstGid, set.grid);
-    setAttribute(node, kLdtkDrawnAttribute, name);
-    writeTiles(node, set);
-  }
-}
-
-/// The class of all tiles is their layer. A tile has its tags as properties.
-void DrawnLayers::writeTiles(pugi::xml_node to, const Set& set) const {
-  std::map<std::uint64_t, pugi::xml_node> tiles;
-  for (const std::uint64_t id : set.tiles) {
-    pugi::xml_node tile = tiles[id] = to.append_child("tile");
-    setAttribute(tile, "id", std::to_string(id));
-    setAttribute(tile, "class", to.attribute(kLdtkDrawnAttribute).value());
-  }
-  for (const JsonPlace& tag : tilesets_[set.tileset]["enumTags"].objects()) {
-    for (const JsonPlace& id : tag["tileIds"].elements()) {
-      const double number = id.number();
-      const auto tile =
-          tiles.find(number >= 0 && number < kLdtkSetSize ? static_cast<std::uint64_t>(number) : kLdtkSetSize);
-      if (tile != tiles.end()) addProperty(tile->second, tag.text("enumValueId"), true);
-    }
-  }
-}
 
 namespace {
 
