@@ -103,6 +103,7 @@ export class Figure {
     let off: Point | null = null // from the pointer to the middle of the handle
     let pressed: Point = [0, 0] // where on the page
     let isTap = false
+    element.addEventListener('touchstart', (event) => event.preventDefault()) // the finger drags, and scrolls nothing
     element.addEventListener('pointerdown', (event) => {
       event.preventDefault()
       element.focus({ preventScroll: true })

@@ -74,6 +74,18 @@ test('at a seam the ball is pushed askew without ghosts; it rolls by itself, unt
     assert.equal(await page.locator('#ghosts button').textContent(), 'Play')
   }, 'article/'))
 
+test('a finger drags the ball all the way, and the page does not scroll instead', () =>
+  browser.onPath(async (page) => {
+    const session = await page.context().newCDPSession(page)
+    const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y]) => ({ x, y })) })
+    const { x, y, width, height } = await handle(page, 'ghosts').locator('.hit').boundingBox(), from = [x + width / 2, y + height / 2]
+    await touch('touchStart', from)
+    for (let k = 1; k <= 8; ++k) await touch('touchMove', [from[0] + 5 * k, from[1]])
+    await touch('touchEnd')
+    const { x: to } = await handle(page, 'ghosts').locator('.hit').boundingBox()
+    assert.ok(Math.abs(to - x - 40) < 2, `${to - x} pixels of 40`)
+  }, 'article/', calm))
+
 test('law 1: a tip cuts the wall, a tile cancels its neighbours\' edges', () =>
   browser.onPath(async (page) => {
     assert.match(await says(page, 'cuts'), /touches the wall: the wall is 2 segments/)
