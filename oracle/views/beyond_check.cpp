@@ -52,10 +52,11 @@ std::string BeyondCheck::update(const World& part, const WholeGround& whole, con
   now.empty.insert(gone.begin(), gone.end());
   std::string wrong = compare(islands, now, {});
   const std::vector<Cell> open = mayCount(now);
-  for (std::size_t choice = 1; !wrong.empty() && choice < std::size_t{1} << open.size(); ++choice) {
+  constexpr std::size_t kAlone = 6;  // all choices of these; the others count together
+  for (std::size_t choice = 1; !wrong.empty() && choice < std::size_t{2} << std::min(open.size(), kAlone); ++choice) {
     std::set<Cell> counting;
     for (std::size_t k = 0; k < open.size(); ++k)
-      if ((choice >> k & 1) != 0) counting.insert(open[k]);
+      if ((choice >> std::min(k, kAlone) & 1) != 0) counting.insert(open[k]);
     if (compare(islands, now, counting).empty()) wrong.clear();
   }
   before_ = std::move(now);
@@ -73,9 +74,8 @@ bool BeyondCheck::isLost(const ScenePolygon& p, const Moment& now) const {
   return before_.away.contains(chunk) && !now.away.contains(chunk) && !stands(p, now);
 }
 
-/// Of the chunks that may count as beyond or not, those that have ground near, as far as all choices can be tried.
+/// Of the chunks that may count as beyond or not, those that have ground near.
 std::vector<Cell> BeyondCheck::mayCount(const Moment& now) const {
-  constexpr std::size_t kMost = 6;
   std::set<Cell> open = before_.empty;
   open.insert(now.empty.begin(), now.empty.end());
   for (const ScenePolygon& p : before_.polygons)
@@ -87,7 +87,6 @@ std::vector<Cell> BeyondCheck::mayCount(const Moment& now) const {
         for (const std::int32_t i : {-1, 0, 1}) near.insert(chunkOf({p.cell.i + i, p.cell.j + j}));
   std::vector<Cell> out;
   std::ranges::set_intersection(open, near, std::back_inserter(out));
-  out.resize(std::min(out.size(), kMost));
   return out;
 }
 

@@ -1,6 +1,7 @@
 // The view of islands by example: what is cut off, foreseen, taken and put back. law15_views_test.cpp has the law.
 #include "oracle/calls/draw.h"
 #include "oracle/views/island_check.h"
+#include "proptests/laws/unloaded.h"
 #include "proptests/support/must.h"
 #include "proptests/support/worlds.h"
 
@@ -239,6 +240,32 @@ TEST(Bodies, HaveMomentsThatAreRoundedOnce) {
     const Wide central = 3 * polar * a - 2 * (mx * mx + my * my);
     EXPECT_TRUE(near(mass.secondMoment, real(central) / (36 * real(a)) / U1 / U1 / U1 / U1)) << round;
   }
+}
+
+// Two squares of two chunks touch in a corner. One goes and comes back, then the other one goes, and all of it is undone:
+// the ids are those of the mark, and nothing is beyond.
+TEST(IslandViewByHand, AChainThatClosesWithOtherIdsWasBeyond) {
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  Islands islands(world);
+  Shelf shelf;
+  const auto commit = [&] { ASSERT_TRUE(islands.update(world, world.commit())); };
+  const PolygonHandle square = place(world, {-1, 1}, unitSquare());
+  commit();
+  const Mark mark = world.checkpoint();
+  place(world, {0, 2}, unitSquare());
+  commit();
+  ASSERT_TRUE(world.unload({{-32, 0}, {-1, 31}}, shelf.sink()));
+  commit();
+  ASSERT_TRUE(shelf.reload(world, {-32, 0}));
+  commit();
+  ASSERT_TRUE(world.unload({{0, 0}, {31, 31}}, shelf.sink()));
+  commit();
+  ASSERT_EQ(islands.of(world, square), kBeyond);
+  ASSERT_TRUE(world.rollBack(mark));
+  ASSERT_TRUE(islands.update(world, world.changesOfRollBack()));
+  EXPECT_EQ(islands.changes().cutOff, (std::vector{IslandPair{kBeyond, islands.of(world, square)}}));
+  EXPECT_TRUE(islands.changes().added.empty());
 }
 
 }  // namespace
