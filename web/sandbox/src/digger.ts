@@ -18,11 +18,11 @@ const wide = 1000 // pixels: a page that has room for the code
 export class Digger {
   static readonly address = '#digger'
   ground: Ground | null = null
+  size = 0 // pixels of a cell
   readonly #section = element('digger')
   readonly #canvas = element<HTMLCanvasElement>('dig')
   readonly #hand = element('dig-hand')
   readonly #strip = element('dig-race').querySelector('canvas')!
-  #size = 0 // pixels of a cell
   #isShowing = !wantsCalm() // the hand digs
   #cursor: [number, number] | null = null // of the keyboard, in pixels
 
@@ -36,9 +36,10 @@ export class Digger {
     }
     const show = element<HTMLInputElement>('dig-show')
     show.checked = innerWidth > wide
-    // The land is 32 cells high.
-    this.#size = Math.max(innerWidth < 720 ? 22 : 26, this.#canvas.clientHeight / 32)
-    this.ground = await digger(this.#canvas, this.#size)
+    // The land is 32 cells high, and the lower 21 are to be seen in any case.
+    const { clientHeight } = this.#canvas
+    this.size = Math.max(clientHeight / 32, Math.min(innerWidth < 720 ? 22 : 26, clientHeight / 21))
+    this.ground = await digger(this.#canvas, this.size)
     onClick('dig-more', () => void leave())
     addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
     this.#listen()
@@ -62,7 +63,7 @@ export class Digger {
       const { clientWidth, clientHeight } = this.#canvas, by = arrows[event.key]
       if (by === undefined && event.key !== 'Enter' && event.key !== ' ') return
       event.preventDefault()
-      const [x, y] = this.#cursor ?? [clientWidth / 2, clientHeight / 2], step = this.#size / 2
+      const [x, y] = this.#cursor ?? [clientWidth / 2, clientHeight / 2], step = this.size / 2
       this.#cursor = by === undefined ? [x, y] : [x + by[0] * step, y + by[1] * step]
       this.#show(...this.#cursor)
       if (by === undefined) this.#touch(...this.#cursor)
@@ -91,13 +92,13 @@ export class Digger {
       return
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
-    const x = (9.4 + 6.2 * k) * this.#size, y = clientHeight - (k % 2 === 0 ? 16.5 : 8.5) * this.#size
-    const at: [number, number] = [x + this.#size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2, y]
+    const x = (9.4 + 6.2 * k) * this.size, y = clientHeight - (k % 2 === 0 ? 16.5 : 8.5) * this.size
+    const at: [number, number] = [x + this.size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2, y]
     this.#show(...at)
     if (time > 0) this.#touch(...(last ?? at), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
-    if (isCut && (9.4 + 6.2 * next + 1.4) * this.#size > clientWidth) return
+    if (isCut && (9.4 + 6.2 * next + 1.4) * this.size > clientWidth) return
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
   }
 

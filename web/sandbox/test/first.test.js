@@ -70,7 +70,7 @@ const area = (page) => page.evaluate(() => {
 /** Cuts the first stem: a drag across it. */
 async function cutStem(page) {
   const { x, y, height } = await page.locator('#dig').boundingBox()
-  const size = (page.viewportSize().width < 720 ? 22 : 26)
+  const size = await page.evaluate(() => window.sandbox.digger.size)
   await page.mouse.move(x + 1.5 * size, y + height - 8.5 * size)
   await page.mouse.down()
   for (let k = 1; k <= 8; ++k) await page.mouse.move(x + (1.5 + (3 * k) / 8) * size, y + height - 8.5 * size)
