@@ -22,9 +22,10 @@ Grid::Grid(const Grid& other)
       count_(other.count_),
       unloaded_(other.unloaded_),
       index_(other.index_) {
-  for (Chunk* chunk : chunks())
-    for (Chunk*& beside : chunk->around)
+  forEachChunk([this](Chunk& chunk) {
+    for (Chunk*& beside : chunk.around)
       if (beside) beside = chunks_[beside->index].get();
+  });
   if (other.last_) last_ = chunks_[other.last_->index].get();
 }
 
@@ -178,7 +179,7 @@ std::uint64_t Grid::bytes() const {
   std::uint64_t sum = chunks_.capacity() * sizeof chunks_[0] + free_.capacity() * sizeof free_[0] + index_.bytes();
   sum += borders_.capacity() * sizeof borders_[0];
   for (const Owned<Border>& border : borders_) sum += border ? border->bytes() : 0;
-  for (const Chunk* chunk : chunks()) sum += sizeof(Chunk) + (chunk->blocks ? kChunkCells * sizeof(Block) : 0);
+  forEachChunk([&](const Chunk& chunk) { sum += sizeof(Chunk) + (chunk.blocks ? kChunkCells * sizeof(Block) : 0); });
   return sum;
 }
 

@@ -18,48 +18,13 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace lgs::detail {
-
-/// Goes through the chunks that are there, by number.
-class ChunkIterator {
- public:
-  using value_type = Chunk*;
-  using difference_type = std::ptrdiff_t;
-
-  ChunkIterator() = default;
-  ChunkIterator(const Owned<Chunk>* at, const Owned<Chunk>* end) : at_(at), end_(end) { skip(); }
-  Chunk* operator*() const { return at_->get(); }
-  ChunkIterator& operator++() {
-    ++at_;
-    skip();
-    return *this;
-  }
-  ChunkIterator operator++(int) {
-    ChunkIterator before = *this;
-    ++*this;
-    return before;
-  }
-  friend bool operator==(ChunkIterator a, ChunkIterator b) { return a.at_ == b.at_; }
-
- private:
-  void skip() {
-    while (at_ != end_ && !*at_) ++at_;
-  }
-  const Owned<Chunk>* at_ = nullptr;
-  const Owned<Chunk>* end_ = nullptr;
-};
-
-struct Chunks {
-  ChunkIterator first, last;
-  ChunkIterator begin() const { return first; }
-  ChunkIterator end() const { return last; }
-};
 
 /// What is known of a place: `none`, where no edit ever was, or that was forgotten. An unloaded chunk is `awake` while a
 /// loaded one is beside it, and otherwise `asleep`: then it takes no more memory than its border.
@@ -146,10 +111,11 @@ class Grid {
       for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
         if (const std::uint32_t number = numberAt(ci, cj); border(number)) visit(number);
   }
-  /// By number: Chunk::index, from 1 on.
-  Chunks chunks() const {
-    const Owned<Chunk>* end = chunks_.data() + chunks_.size();
-    return {{chunks_.data() + 1, end}, {end, end}};
+  /// Calls visit(Chunk&) for those that are not asleep, by number.
+  template <class Visit>
+  void forEachChunk(Visit&& visit) const {
+    for (const Owned<Chunk>& chunk : std::span(chunks_).subspan(1))
+      if (chunk) visit(*chunk);
   }
   /// How many there are, with those that are unloaded.
   std::size_t count() const { return count_; }
@@ -173,8 +139,9 @@ class Grid {
   void forEachChunk(const CellRect& cells, Visit&& visit) const {
     const ChunkRect reach(cells);
     if (reach.count() > count()) {
-      for (Chunk* chunk : chunks())
-        if (reach.contains(*chunk)) visit(*chunk);
+      forEachChunk([&](Chunk& chunk) {
+        if (reach.contains(chunk)) visit(chunk);
+      });
       return;
     }
     for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)

@@ -90,23 +90,22 @@ bool holdsPolygonsOf(const Ground& ground, const Ground& other) {
     detail::sort(out);
     return out;
   };
-  return std::ranges::all_of(other.grid.chunks(), [&](Chunk* chunk) {
-    if (chunk->isUnloaded) return true;
-    for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local)
-      if (other.contentId(at) != kEmptyContent && read(ground, at.cell()) != read(other, at.cell())) return false;
-    return true;
+  bool areSame = true;
+  other.grid.forEachChunk([&](Chunk& chunk) {
+    for (CellAt at{&chunk, 0}; areSame && !chunk.isUnloaded && at.local < kChunkCells; ++at.local)
+      areSame = other.contentId(at) == kEmptyContent || read(ground, at.cell()) == read(other, at.cell());
   });
+  return areSame;
 }
 
 void count(const Ground& ground, Stats& stats) {
-  for (Chunk* chunk : ground.grid.chunks()) {
-    if (chunk->isUnloaded) continue;
-    for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local) {
+  ground.grid.forEachChunk([&](Chunk& chunk) {
+    for (CellAt at{&chunk, 0}; !chunk.isUnloaded && at.local < kChunkCells; ++at.local) {
       const std::size_t polygons = ground.content(at).polygons.size();
       stats.polygons += polygons;
       stats.cells += polygons > 0;
     }
-  }
+  });
   stats.shapes = ground.catalogue.shapeCount();
   stats.contents = ground.catalogue.contentCount();
   stats.chunks = ground.grid.count();

@@ -65,7 +65,7 @@ class Save {
   Save(const Ground& ground, SnapshotWriter& out) : ground_(ground), numbers_(ground), out_(out) {}
 
   void world() {
-    for (const Chunk* chunk : ground_.grid.chunks()) numbers_.use(*chunk);
+    ground_.grid.forEachChunk([this](const Chunk& chunk) { numbers_.use(chunk); });
     for (std::uint32_t k = 1; k <= ground_.catalogue.shapeCount(); ++k) numbers_.use(ShapeId{k});
     numbers_.end();
     out_.byte(ground_.preserve ? 1 : 0);
@@ -134,26 +134,26 @@ class Save {
     if (hasFreeNumbers(ground_)) freeNumbers();
     out_.number(ground_.grid.count());
     std::int32_t ci = 0, cj = 0;
-    for (const Chunk* chunk : ground_.grid.chunks()) {
-      out_.number(folded(std::int64_t{chunk->ci} - ci));
-      out_.number(folded(std::int64_t{chunk->cj} - cj));
-      ci = chunk->ci;
-      cj = chunk->cj;
-      cells(*chunk);
-    }
+    ground_.grid.forEachChunk([&](const Chunk& chunk) {
+      out_.number(folded(std::int64_t{chunk.ci} - ci));
+      out_.number(folded(std::int64_t{chunk.cj} - cj));
+      ci = chunk.ci;
+      cj = chunk.cj;
+      cells(chunk);
+    });
   }
 
   /// Each as its distance from one more than the one before.
   void freeNumbers() {
     out_.number(ground_.grid.highest() - ground_.grid.count());
     std::uint32_t next = 1, afterLastFree = 1;
-    for (const Chunk* chunk : ground_.grid.chunks()) {
-      for (; next < chunk->index; ++next) {
+    ground_.grid.forEachChunk([&](const Chunk& chunk) {
+      for (; next < chunk.index; ++next) {
         out_.number(next - afterLastFree);
         afterLastFree = next + 1;
       }
       ++next;
-    }
+    });
   }
 
   /// Visits the cells of a chunk by rows.

@@ -15,9 +15,10 @@ std::span<const SegmentId> Outline::createIds(std::size_t count) {
 std::uint64_t Outline::liveCount(const Grid& grid) const {
   std::uint64_t count = segments.maxId() - segments.free().size();
   if (hidden_.any()) {
-    for (Chunk* chunk : grid.chunks())
-      for (CellAt at{chunk, 0}; hidden_.are(chunk->index) && at.local < kChunkCells; ++at.local)
+    grid.forEachChunk([&](Chunk& chunk) {
+      for (CellAt at{&chunk, 0}; hidden_.are(chunk.index) && at.local < kChunkCells; ++at.local)
         count -= lists.of(at).count();
+    });
   }
   return count;
 }

@@ -50,8 +50,9 @@ class IdReader {
 
 template <class Visit>
 void forEachCell(const Ground& ground, Visit&& visit) {
-  for (Chunk* chunk : ground.grid.chunks())
-    for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local) visit(at);
+  ground.grid.forEachChunk([&](Chunk& chunk) {
+    for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) visit(at);
+  });
 }
 
 /// How many segments a ground shows; or more than `most`, if they are more.

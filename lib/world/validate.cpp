@@ -15,13 +15,13 @@ class Validation {
   explicit Validation(const World::Impl& world) : ground_(world.ground), outline_(world.outline) {}
 
   void run() {
-    for (const Chunk* chunk : ground_.grid.chunks()) {
-      lookAtChunk(*chunk);
-      for (CellAt at{chunk->self(), 0}; at.local < kChunkCells; ++at.local) {
+    ground_.grid.forEachChunk([this](Chunk& chunk) {
+      lookAtChunk(chunk);
+      for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
         lookAtCell(at);
         lookAtSegments(at);
       }
-    }
+    });
     for (std::uint32_t number = 1; number <= ground_.grid.highest(); ++number)
       if (const Border* border = ground_.grid.border(number)) lookAtBorder(number, *border);
     ground_.forEachNotedContent([&](ContentId content) { use(content); });
