@@ -74,14 +74,14 @@ class ViewsLaw : public Law {
     return corners;
   }
 
-  // Under a preserve relation a view that begins, or that a roll-back moves, knows nothing of unloaded ground: it is solid.
+  // Under a preserve relation a view that begins, or that a roll-back moves, takes unloaded ground for solid.
   void lookAway(const Seen& seen) {
     if (!seen.trace.preserve.empty()) unknown_ = chunksAway(seen);
   }
 
   WholeGround ground(const Seen& seen) {
     WholeGround all{{}, chunksAway(seen), std::exchange(forgotten_, {})};
-    std::erase_if(unknown_, [&](Cell chunk) { return !all.away.contains(chunk); });
+    hasReturned_ = std::erase_if(unknown_, [&](Cell chunk) { return !all.away.contains(chunk); }) != 0;
     const auto isUnknown = [&](Cell cell) { return unknown_.contains({cell.i & ~31, cell.j & ~31}); };
     const Scene scene = seen.scene();
     CellSet cells = unknown_;
@@ -105,7 +105,11 @@ class ViewsLaw : public Law {
       return seen.mismatch(Mismatch::Kind::views, "the views refuse what was committed");
     if (changes.before == changes.after && !world.cellChanges().empty())
       return seen.mismatch(Mismatch::Kind::views, "the ground changed, and who missed that does not see it");
-    auto wrong = streams_ ? said(beyondCheck.update(world, ground(seen), islands)) : islandCheck.update(world, islands);
+    // No law says what views tell where ground returns that they took for solid.
+    const WholeGround whole = ground(seen);
+    auto wrong = !streams_      ? islandCheck.update(world, islands)
+                 : hasReturned_ ? said(beyondCheck.begin(world, whole, islands))
+                                : said(beyondCheck.update(world, whole, islands));
     if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.changed());
     if (!wrong) wrong = faultOf(hashes, world);
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
@@ -123,6 +127,7 @@ class ViewsLaw : public Law {
   bool isAsked_ = false;
   std::set<Cell> away_, forgotten_;  // chunks before the last call; those that were forgotten since the last look
   std::set<Cell> unknown_;           // those that are away, and solid for all that the views know
+  bool hasReturned_ = false;         // some of these, since the last look
   std::optional<Followed> views_;
 };
 
