@@ -19,7 +19,8 @@
 //
 // The view follows loops (loops.h) and has one inside: loops(). What loops.h has on preserve relations, copies, threads
 // and memory holds here. Under a preserve relation commit before you unload; and chunks that are unloaded when the view
-// begins, or at a roll-back, count as solid, so that what touches their squares is beyond.
+// begins, or at a roll-back, count as solid, so that what touches their squares is beyond. Where such a chunk comes back
+// its islands are reported as added or as cut off: which of the two is not promised.
 #pragma once
 
 #include <lgs/body.h>
