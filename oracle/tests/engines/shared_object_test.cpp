@@ -103,7 +103,7 @@ TEST_F(SharedObjects, AreCheckedByTheCommand) {
   const Outcome squares =
       sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume 'squares delta' --brushes --edits 300");
   EXPECT_EQ(squares.status, 2) << squares.text;
-  EXPECT_NE(squares.text.find("what the engine can not have: edit 1, "), std::string::npos) << squares.text;
+  EXPECT_NE(squares.text.find("what the engine can not have: edit "), std::string::npos) << squares.text;
   EXPECT_EQ(sh("lgs check --engine-so ./missing.so --edits 10").status, 2);
   EXPECT_EQ(sh("lgs check --engine-so a.so --engine b").status, 2);
   EXPECT_EQ(sh("lgs check --engine-timeout 3").status, 2);
