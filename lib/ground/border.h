@@ -54,7 +54,7 @@ struct Border {
   std::int32_t ci = 0;  ///< where the chunk is, as in Chunk
   std::int32_t cj = 0;
   std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
-  std::uint32_t lastSerial = 0;  ///< the greatest one that any of its cells gave out
+  std::uint32_t lastSerial = 0;  ///< the greatest one that a cell gave out of which neither `kept` nor the rim says it
   bool isAwake = true;           ///< the Chunk has the cells at the rim; otherwise `runs` has them
   bool bytesAreStale = false;    ///< the world went back or forward since: of the cells in `kept` the bytes are wrong
   std::vector<Run> runs;

@@ -26,10 +26,7 @@ void Ground::exchange(Note& note) {
 void Ground::exchangeCell(Note& note) {
   const std::uint32_t number = note.key / kChunkCells, local = note.key % kChunkCells;
   Border* border = grid.border(number);
-  if (border) {
-    border->bytesAreStale = true;
-    border->lastSerial = std::max(border->lastSerial, lastSerial(held(note)));
-  }
+  if (border) border->bytesAreStale = true;
   const auto swap = [&](CellWord word, Block& block) {
     const CellWord then = moveIn(note.value, journal);
     note.value = moveOut(word, journal);
@@ -57,6 +54,7 @@ void Ground::exchangeChunk(Note& note) {
         grid.obtain(cellIn(static_cast<std::int32_t>(note.value), static_cast<std::int32_t>(note.block), 0));
     assert(at.chunk->index == note.key);  // the least number that is free
     if (grid.unloadedCount() != 0) refreshAround(note.key);
+    if (note.isGivenUp) stream(note.key);
     return;
   }
   note.isMoot = grid.border(note.key) != nullptr;

@@ -149,6 +149,7 @@ class Ground : public Cells {
   using Cells::drop;
   std::vector<std::uint32_t> byRows(std::vector<std::uint32_t> numbers) const;
   CellMask notedCells(std::uint32_t number) const;
+  std::uint32_t lastSerialIn(std::uint32_t number);
   void wakeRim(std::uint32_t number);
   void putRimToSleep(std::uint32_t number);
   void trim(std::uint32_t number);

@@ -113,10 +113,11 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
   Border border;
   border.checksum = checksum;
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
-    border.lastSerial = std::max(border.lastSerial, lastSerial(at));
     const bool isNoted = contains(noted, at.local), isRim = isAtRim(at.local);
     if (isNoted)
       border.kept.push_back(isRim ? Border::Kept{at.local} : Border::Kept{at.local, at.word(), chunk.block(at.local)});
+    else
+      border.lastSerial = std::max(border.lastSerial, lastSerial(at));
     if (isRim && (isNoted || !holdsNothing(at.word()))) continue;
     if (!isNoted) drop(at.word());
     lay(at, 0, 0);
@@ -145,9 +146,21 @@ Chunk& Ground::load(std::uint32_t number, CellMask& known) {
   return chunk;
 }
 
-/// None of its serials is given out again, nor one of what was undone: that may be redone, and is gone then.
+/// The greatest serial that a cell of an unloaded chunk gave out, as the world is.
+std::uint32_t Ground::lastSerialIn(std::uint32_t number) {
+  wakeRim(number);
+  const Border& border = *grid.border(number);
+  std::uint32_t last = border.lastSerial;
+  for (std::uint32_t k = 0; k < kRimCells; ++k)
+    last = std::max(last, lastSerial(CellAt{&grid.chunk(number), rimCell(k)}));
+  for (const Border::Kept& kept : border.kept) last = std::max(last, lastSerial(held(0, kept.word, kept.block)));
+  return last;
+}
+
+/// None of its serials is given out again, nor one of what was undone and may be redone, which is gone then. What was
+/// undone for good gave out none (law 12).
 void Ground::loadEmpty(std::uint32_t number) {
-  std::uint32_t lastSerial = grid.border(number)->lastSerial;
+  std::uint32_t lastSerial = lastSerialIn(number);
   const auto isOfChunk = [&](const Note& note) {
     return note.thing == Thing::cell && note.key / kChunkCells == number;
   };
@@ -155,6 +168,7 @@ void Ground::loadEmpty(std::uint32_t number) {
     if (isOfChunk(note)) lastSerial = std::max(lastSerial, Cells::lastSerial(held(note)));
   });
   journal.forEach([&](Note& note) {
+    if (note.thing == Thing::chunk && note.key == number) note.isGivenUp = true;
     if (!isOfChunk(note)) return;
     dropMoved(note.value, journal);
     note.value = moveOut(emptyWord(lastSerial), journal);
@@ -221,6 +235,7 @@ void Ground::trim(std::uint32_t number) {
   const CellMask noted = notedCells(number);
   std::erase_if(border.kept, [&](const Border::Kept& kept) {
     if (contains(noted, kept.local)) return false;
+    border.lastSerial = std::max(border.lastSerial, lastSerial(held(0, kept.word, kept.block)));
     drop(kept.word);
     return true;
   });

@@ -49,6 +49,7 @@ struct Note {
   Thing thing = Thing::cell;
   bool wasClean = false;    ///< of a cell: it had not changed since the commit before
   bool isMoot = false;      ///< of a chunk: it is there before and after
+  bool isGivenUp = false;   ///< of a chunk: it came back empty, at all times, so outlines of before are not its own
   std::uint32_t value = 0;  ///< what the thing held, or a reference to words that the journal keeps
   std::uint32_t block = 0;  ///< of a cell
 };
