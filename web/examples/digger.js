@@ -8,13 +8,14 @@ import { Ground } from 'localgridseg/planck'
 const bedrock = 2
 const colours = { 1: '#b08968', [bedrock]: '#5d4a3a', 3: '#4f9d96', 4: '#d1604c' }
 const options = { anchors: { blocks: [bedrock] }, land, undoSteps: 2000 }
-const fingers = new Map(), held = {} // keys
+const fingers = new Map()
+let held = '' // a key
 
 export async function digger(canvas, size = 24) { // pixels of a cell
   await init()
   const ground = new Ground(new World({ x: 0, y: -10 }), options, { cellSize: 0.5 })
   const picture = new GroundPicture(ground, canvas, colours, { size, x: 38.2 })
-  onkeydown = onkeyup = ({ key, type }) => { held[key] = type === 'keydown' }
+  onkeydown = onkeyup = onblur = ({ type, key }) => { held = type === 'keydown' ? key : '' }
   onpointerup = onpointercancel = ({ pointerId }) => fingers.delete(pointerId)
   canvas.onpointerdown = canvas.onpointermove = (finger) => {
     if (finger.buttons === 0) return
@@ -22,13 +23,13 @@ export async function digger(canvas, size = 24) { // pixels of a cell
     if (fingers.size < 2) ground.dig(thickLine([...from, ...at], 0.6))
     fingers.set(finger.pointerId, at)
   }
-  requestAnimationFrame(function frame() {
-    picture.x += (!!held.d - !!held.a) / 3
+  requestAnimationFrame(function frame(now, last = now - 16) {
+    const time = Math.min(0.05, (now - last) / 1000) // seconds
+    picture.x += 20 * time * ((held === 'd') - (held === 'a'))
     ground.window(picture.cells) // the rest leaves memory, and comes back
-    if (held.z || fingers.size > 1) ground.undo()
-    else ground.step(1 / 60)
+    held === 'z' || fingers.size > 1 ? ground.undo() : ground.step(time)
     picture.draw()
-    if (canvas.isConnected) requestAnimationFrame(frame)
+    if (canvas.isConnected) requestAnimationFrame((next) => frame(next, now))
   })
   return ground
 }

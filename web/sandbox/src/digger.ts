@@ -13,7 +13,6 @@ const before = 900 // milliseconds until the hand digs
 const cut = 500 // that it takes for a stem
 const pause = 2200 // between two stems
 const wait = 1500 // between two races
-const wide = 1000 // pixels: a page that has room for the code
 
 export class Digger {
   static readonly address = '#digger'
@@ -28,14 +27,12 @@ export class Digger {
 
   /** `onLeave`: for all tools. The digger is gone then. */
   async open(onLeave: () => Promise<void>): Promise<void> {
-    this.#section.hidden = false
     const leave = async () => {
       if (location.hash === Digger.address) history.replaceState(null, '', location.pathname + location.search)
       this.#section.remove()
+      document.documentElement.classList.remove('first')
       await onLeave()
     }
-    const show = element<HTMLInputElement>('dig-show')
-    show.checked = innerWidth > wide
     // The land is 32 cells high, and the lower 21 are to be seen in any case.
     const { clientHeight } = this.#canvas
     this.size = Math.max(clientHeight / 32, Math.min(innerWidth < 720 ? 22 : 26, clientHeight / 21))

@@ -1,4 +1,5 @@
-// What the browser keeps of a visit: the ground, and that one has dug. It may keep nothing, and say so by throwing.
+// What the browser keeps of a visit: the ground, and that one has dug; index.html asks for both. It may keep nothing, and
+// say so by throwing.
 const ground = 'localgridseg-sandbox'
 const welcomed = 'localgridseg-welcomed'
 const most = 1_000_000 // characters
@@ -23,5 +24,4 @@ function hold(name: string, text: string | null): void {
 export const keptGround = () => held(ground)
 export const forgetGround = () => hold(ground, null)
 export const keepGround = (text: string) => hold(ground, text.length < most ? text : null)
-export const wasWelcomed = () => held(welcomed) !== null
 export const noteWelcome = () => hold(welcomed, 'yes')

@@ -2,14 +2,13 @@
 // wanted.
 import { init } from 'localgridseg/islands'
 import { Digger } from './digger.js'
-import { keptGround, wasWelcomed } from './keep.js'
 import { RaceStage } from './race/stage.js'
 import type { Sandbox } from './sandbox.js'
 
 await init()
-// Who knows the page, or was sent to something on it, has all tools at once.
-const isNew = location.hash === '' && keptGround() === null && !wasWelcomed()
-const digger = isNew || location.hash === Digger.address ? new Digger() : null
+const isFirst = document.documentElement.classList.contains('first') // index.html decides it
+const isNew = isFirst && location.hash === ''
+const digger = isFirst ? new Digger() : null
 let sandbox: Sandbox | null = null
 async function openSandbox(): Promise<void> {
   sandbox = await (await import('./sandbox.js')).openSandbox(isNew)

@@ -116,8 +116,20 @@ test('by keys: a cursor, Enter digs, Z goes back', () =>
     assert.ok(await page.evaluate(() => window.sandbox.digger.ground.canUndo))
     await page.keyboard.down('z')
     await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
+    await page.evaluate(() => dispatchEvent(new Event('blur'))) // the key is let go elsewhere
+    await page.keyboard.press('Enter')
+    await page.waitForTimeout(200)
+    assert.ok(await page.evaluate(() => window.sandbox.digger.ground.canUndo))
     await page.keyboard.up('z')
   }, calm))
+
+test('before any code is there one sees the place of the digger, and not that of all tools', () =>
+  browser.onPath(async (page) => assert.ok(await page.evaluate(() => window.early)), '?welcome', { before: (page) =>
+    page.route('**/main.js', async (route) => {
+      await page.waitForSelector('#dig-more')
+      await page.evaluate(() => { window.early = document.getElementById('dig').offsetParent !== null && document.getElementById('panes').offsetParent === null })
+      await route.continue()
+    }) }))
 
 test('on a phone: targets of 44 pixels, nothing beyond its sides; and all tools are one touch away', () =>
   first(async (page) => {

@@ -90,7 +90,7 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
   c.font = `${text}px ${font}`
   c.textAlign = 'left'
   c.fillStyle = kicks > 0 && part === whole ? colours.kick : colours.ink
-  c.fillText(`${kicks} kicks`, left, line)
+  c.fillText(`${kicks} ${kicks === 1 ? 'kick' : 'kicks'}`, left, line)
 }
 
 // A ring opens where a kick happens, and a dot stays.
