@@ -28,8 +28,8 @@ class BeyondCheck {
 
   /// What is wrong with a view; nothing, if nothing is.
   std::string begin(const World& part, const WholeGround& whole, const Islands& islands);
-  /// The same, and with its changes, after an update.
-  std::string update(const World& part, const WholeGround& whole, const Islands& islands);
+  /// The same, and with its changes if these are to be `isTold`, after an update.
+  std::string update(const World& part, const WholeGround& whole, const Islands& islands, bool isTold = true);
 
  private:
   struct Moment {

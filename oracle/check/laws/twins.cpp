@@ -13,7 +13,7 @@ namespace lgs::oracle {
 namespace {
 
 constexpr std::int32_t kUnit = kUnitsPerCell;
-constexpr Cell kMoved{13, 21};                      // so that the borders of chunks are elsewhere
+constexpr Cell kMove{13, 21};                      // so that the borders of chunks are elsewhere
 constexpr Block kFactor = 0x9e37'79b1, kPlus = 77;  // odd: no two blocks become one
 
 /// Where things are in a twin.
@@ -34,11 +34,11 @@ Point samePoint(Point p) { return p; }
 constexpr std::array kWays{
     Way{"moved, and with other blocks",
         [](Cell c) {
-          return Cell{c.i + kMoved.i, c.j + kMoved.j};
+          return Cell{c.i + kMove.i, c.j + kMove.j};
         },
         sameVertex,
         [](Point p) {
-          return Point{p.x + kMoved.i * std::int64_t{kUnit}, p.y + kMoved.j * std::int64_t{kUnit}};
+          return Point{p.x + kMove.i * std::int64_t{kUnit}, p.y + kMove.j * std::int64_t{kUnit}};
         },
         false, true},
     Way{"turned by a quarter",

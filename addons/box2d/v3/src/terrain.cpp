@@ -38,7 +38,7 @@ class Terrain::Memory {
   std::vector<SegmentShape> shapes;
   std::vector<ChunkBody> bodies;
   std::size_t bodyCount;
-  KnownBodies disabled;
+  detail::KnownBodies disabled;
   Footings footings;
 };
 

@@ -251,7 +251,7 @@ class TerrainBase {
   std::vector<ChunkBody> bodies_;                                    ///< by number of the chunk
   std::size_t bodyCount_ = 0;                                        ///< chunks with at least one shape
   std::vector<Overlap> overlaps_;                                    ///< of the last sync()
-  KnownBodies disabled_;                                             ///< bodies that wait until their place is free
+  detail::KnownBodies disabled_;                                     ///< bodies that wait until their place is free
   std::unique_ptr<Footings> footings_;                               ///< where each body was free last
   std::size_t others_ = 0;                                           ///< bodies that were not in footings_ (Box2D 3)
   std::vector<BodyHandle> putBack_;                                  ///< by the last afterStep()

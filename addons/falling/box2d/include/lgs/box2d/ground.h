@@ -137,7 +137,7 @@ class GroundHost {
   Terrain terrain_;
   FallingGround falling_;
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
-  KnownBodies away_;
+  detail::KnownBodies away_;
 };
 
 /// The comment at the top of <lgs/ground.h> is its manual.

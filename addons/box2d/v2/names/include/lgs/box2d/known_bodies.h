@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace lgs::box2d {
+namespace lgs::detail {
 
 /// Box2D gives the address of a body that is destroyed to the next one, and puts each new body in front of its list. So
 /// a body without shapes that was made after these have been added has them all behind it, and later ones before it. It
@@ -51,4 +51,4 @@ class KnownBodies {
   b2Body* mark_ = nullptr;
 };
 
-}  // namespace lgs::box2d
+}  // namespace lgs::detail

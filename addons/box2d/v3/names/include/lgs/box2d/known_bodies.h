@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace lgs::box2d {
+namespace lgs::detail {
 
 /// Bodies that may be destroyed meanwhile.
 class KnownBodies {
@@ -27,4 +27,4 @@ class KnownBodies {
   std::vector<b2BodyId> bodies_;
 };
 
-}  // namespace lgs::box2d
+}  // namespace lgs::detail
