@@ -1,4 +1,4 @@
-// The ground of a game, held as one. ground.ts has it without physics, planck-ground.ts with planck. lgs/ground.h is the
+// The ground of a game as one object. ground.ts has it without physics, planck-ground.ts with planck. lgs/ground.h is the
 // same in C++, by the same rules:
 //
 //  1. A stroke is one step of undo, with what it cuts off. A stroke that is refused changes nothing.
