@@ -141,7 +141,7 @@ export abstract class GroundBase<Body> {
     this.#begin()
     return this.canRedo && this.#go(this.#now + 1)
   }
-  /** Lets go of all steps of undo, as after the game built a level. */
+  /** Releases all steps of undo, as after the game built a level. */
   forgetUndo(): void {
     this.#begin()
     this.#dropFuture()
