@@ -29,7 +29,9 @@ int main() {
 
   bool dug = false;
   for (int step = 0; step < 300; ++step) {
+    terrain.beforeStep();  // these two keep bodies from falling through
     physics.Step(1.0F / 60, 8, 3);
+    terrain.afterStep();
     for (const b2ContactEdge* c = ball->GetContactList(); c != nullptr && !dug; c = c->next) {
       const auto touch = terrain.hit(*c->contact);
       if (!touch || touch->hit.cell.i < 12) continue;

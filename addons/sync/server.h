@@ -21,7 +21,7 @@ class Server {
   /// The same of one that may have unloaded chunks, with the hashes of all its ground, whether loaded or not.
   Server(const lgs::World& world, lgs::GroundHashes hashes);
 
-  /// To be called with what each commit, roll-back and roll-forward changed: returns what to send to all clients. What
+  /// To be called with what each commit, roll-back and redo changed: returns what to send to all clients. What
   /// changed more than kMaxCells cells is reported without them: clients find out. So it is if one was missed; then all
   /// that is loaded is read again, and chunks that are not count as they were reported last.
   Bytes update(const lgs::Changes& changes);

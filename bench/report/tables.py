@@ -176,7 +176,7 @@ def summary(results):
         engine, other = row.get("median_ns"), row.get("clipper_cells_median_ns")
         clipper = f"Clipper 6's difference of the touched cells: {duration_or_none(other)}"
         rows.append([f"a round hole of radius 3, {name}", duration_or_none(engine), clipper, ratio_or_none(other, engine)])
-    return table(["median", "this library", "the strongest native neighbour", "neighbour ÷ this"], rows)
+    return table(["median", "this library", "the strongest neighbour that was measured, native", "neighbour ÷ this"], rows)
 
 
 ALL = (about, article, recompute, edits, edit_sizes, builds, worst, summary)

@@ -16,7 +16,7 @@ enum class ErrorCode : std::uint32_t {
   cellOutOfRange = 1,  ///< a cell index beyond ±kMaxCell
   emptyShape,          ///< a shape without polygons
   tooFewVertices,      ///< fewer than 3 vertices
-  capacity,            ///< more than the engine can hold; see the limits in world.h
+  capacity,            ///< more than the engine can hold; see limits.h
   notFinite,           ///< a coordinate is infinite or not a number
   outsideCell,         ///< a vertex, once rounded, is not in the closed cell
   repeatedVertex,      ///< two vertices are the same lattice point; vertex2 is the first that repeats an earlier one

@@ -227,13 +227,13 @@ class World {
   /// then added.
   const Changes& changesOfRollBack() const noexcept;
 
-  /// Lets go of a mark. Other marks stay. Refused: unknownMark, also for a mark ahead, and for one that was ahead when
+  /// Releases a mark. Other marks stay. Refused: unknownMark, also for a mark ahead, and for one that was ahead when
   /// something was edited. Cost: in all, O(log n) for each cell and segment that is kept for a roll-back.
   Expected<void> forget(Mark mark) noexcept;
 
   // --- Leaving places -----------------------------------------------------------------------------------------------
 
-  /// Lets go of a place that the game has left. Each chunk of 32×32 cells that lies in the rectangle as a whole and
+  /// Releases a place that the game has left. Each chunk of 32×32 cells that lies in the rectangle as a whole and
   /// holds no polygon gives its memory back; and so does each unloaded one that had no loaded chunk around it at the
   /// last commit, unless a roll-back or redo changed it since it was unloaded, for then its bytes are not what it
   /// holds. Other chunks, and those that lie in the rectangle in part, stay as they are. Returns how many chunks were

@@ -1,6 +1,14 @@
-# cmake -DPAGE=… -DOF=… -P lines.cmake
-# Each line of the first ```cpp block of PAGE stands in the page OF, whose programs are compiled; only blanks may differ.
+# cmake -DPAGE=… [-DHEADING=…] -DOF=… -P lines.cmake
+# Each line of the first ```cpp block of PAGE, or of what is below its HEADING, stands in the file OF, whose programs are
+# compiled; only blanks may differ.
 file(READ "${PAGE}" page)
+if(HEADING)
+  string(FIND "${page}" "\n## ${HEADING}\n" begin)
+  if(begin EQUAL -1)
+    message(FATAL_ERROR "${PAGE}: there is no heading ${HEADING}")
+  endif()
+  string(SUBSTRING "${page}" ${begin} -1 page)
+endif()
 file(READ "${OF}" programs)
 string(REGEX MATCH "\n```cpp\n([^`]*)" found "${page}")
 string(REPLACE ";" "\\;" lines "${CMAKE_MATCH_1}")

@@ -2,7 +2,7 @@
 // it. What is decided here is what to do; TerrainRules knows which bodies overlap.
 import type { Box, Form, Frame, OnOverlap, Point, TerrainRules } from './terrain.js'
 
-/** A body that new ground would hold, or holds. */
+/** A body that new ground would overlap, or overlaps. */
 export interface Overlap<Body> {
   readonly body: Body
   /** How deep the ground is in it, in metres: from half way to its centre on. */

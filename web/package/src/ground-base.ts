@@ -1,4 +1,4 @@
-// The ground of a game, held as one. ground.ts has it without physics, planck-ground.ts with planck. lgs/ground.h is the
+// The ground of a game as one object. ground.ts has it without physics, planck-ground.ts with planck. lgs/ground.h is the
 // same in C++, by the same rules:
 //
 //  1. A stroke is one step of undo, with what it cuts off. A stroke that is refused changes nothing.
@@ -141,7 +141,7 @@ export abstract class GroundBase<Body> {
     this.#begin()
     return this.canRedo && this.#go(this.#now + 1)
   }
-  /** Lets go of all steps of undo, as after the game built a level. */
+  /** Releases all steps of undo, as after the game built a level. */
   forgetUndo(): void {
     this.#begin()
     this.#dropFuture()

@@ -25,7 +25,7 @@ export interface GroundOptions {
   readonly shelf?: Shelf
   /** How many strokes can be undone: 64, if it is not given. */
   readonly undoSteps?: number
-  /** Is notified of each commit, roll-back and roll-forward, for further views. After a load() they begin again. */
+  /** Is notified of each commit, roll-back and redo, for further views. After a load() they begin again. */
   readonly follow?: (world: World, changes: Changes) => void
 }
 

@@ -8,7 +8,7 @@ import type { GroundBody } from './island-types.js'
 import type { World } from './types.js'
 
 /**
- * The ground of a game, held as one: dug, painted and built; what is cut off becomes a rock; all of it is undone and
+ * The ground of a game as one object: dug, painted and built; what is cut off becomes a rock; all of it is undone and
  * redone, streamed, saved, loaded and drawn. It owns the order of calls, the marks, and what came out of the ground.
  *
  *   const ground = new Ground({ anchors: { cells: [{ i0: -1000, j0: 0, i1: 1000, j1: 0 }] } })

@@ -105,7 +105,7 @@ export class Islands extends Follower {
   /**
    * What an edit would do: makes it, looks, and rolls back. The world and the islands are as before, but for the ids of
    * islands; those in the result name nothing any more, and nothing is loose() then. Other followers of the world need
-   * not hear of it. What the edit throws comes out of it. It must only edit: after a commit or a roll-back in it this
+   * no notice. What the edit throws comes out of it. It must only edit: after a commit or a roll-back in it this
    * throws 'left-out', and everything that follows the world begins again.
    */
   foresee(edit: (world: World) => void): Foreseen {
@@ -128,7 +128,7 @@ export class Islands extends Follower {
       this.#isTrying = false
       const { call, view, world: address } = this.at
       if (!call.untryEdits(view, address, mark) || !wereEdits)
-        throw new LgsError('left-out', 'what foresee() tries must not commit or go back: make new islands')
+        throw new LgsError('left-out', 'what foresee() tries must not commit or roll back: make new islands')
     }
   }
 

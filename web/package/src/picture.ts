@@ -33,7 +33,7 @@ export interface PictureOptions {
 
 const leastSize = 0.1, mostSize = 10_000
 
-/** What a Ground looks like, and its rocks, each block in its colour. Only what changed is made anew; all is drawn. */
+/** What a Ground looks like, and its rocks, each block in its colour. Only what changed is rebuilt; all is drawn. */
 export class GroundPicture {
   /** What is in the lower left corner, in cells, and the size of a cell in pixels of the page: yours to change. */
   x: number

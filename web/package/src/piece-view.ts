@@ -22,8 +22,8 @@ export interface PieceId {
 }
 
 /**
- * From one free piece to another: what the two have in common. `right` and `left` are its ends, as seen by one who
- * goes through: [x, y] in cells of the world.
+ * From one free piece to another: what the two have in common. `right` and `left` are its ends, in the direction
+ * of passage: [x, y] in cells of the world.
  */
 export interface Portal {
   readonly to: PieceId

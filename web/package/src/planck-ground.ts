@@ -10,7 +10,7 @@ import { PlanckTerrain, type TerrainOptions } from './planck.js'
 import type { CellRect, Changes, World } from './types.js'
 
 /**
- * The ground of a game, held as one: dug, painted and built; what is cut off falls as a body, and is ground again where it
+ * The ground of a game as one object: dug, painted and built; what is cut off falls as a body, and is ground again where it
  * rests; all of it is undone and redone, streamed, saved, loaded and drawn. It owns the order of calls, the marks, and the
  * bodies that came out of the ground.
  *

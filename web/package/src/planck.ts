@@ -218,7 +218,7 @@ class Edges extends PlanckBodies implements Adapter<Body, Material> {
     --this.#bodyCount
   }
 
-  /** Those that are near one of the edges, if anybody is near all of them. */
+  /** Those that are near one of the edges, if any body is near all of them. */
   #wakeAround(changes: EdgeChanges): void {
     const { length } = changes
     if (length === 0) return

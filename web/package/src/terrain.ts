@@ -1,5 +1,5 @@
 // What the terrains for physics engines have in common. The rules are the engine's, in C++: which edges there are, which
-// are welded, which bodies new ground catches and how they get out. web/wasm/terrain.cpp is the other side. Here they are
+// are welded, which bodies new ground overlaps and how they get out. web/wasm/terrain.cpp is the other side. Here they are
 // asked; what they say is done by planck.ts and box2d3.ts.
 import { bad, int32, object, options as known, uint32, within } from './check.js'
 import type { Engine } from './engine.js'

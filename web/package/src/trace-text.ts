@@ -47,7 +47,7 @@ export const badTrace = (line: number, what: string) => new LgsError('bad-trace'
 
 /** Calls of C++ that this package has not. */
 const others: Record<string, string> = {
-  exchange: 'exchange()', group: 'groups of edits', copy: 'copies of a world', leave: 'forget() of a rectangle',
+  exchange: 'exchange()', group: 'groups of edits', copy: 'copies of a world', leave: 'forgetChunks()',
 }
 const isReal = (word: string) => /^[-+.\d]/.test(word)
 

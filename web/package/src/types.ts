@@ -19,7 +19,7 @@ export type SegmentId = Id<'segment'>
 export type Block = Id<'block'>
 /** A moment to which a world can roll back. */
 export type Mark = Id<'mark'>
-/** A state of the segments: World.version. */
+/** A state of the ground and its segments: World.version. */
 export type Version = Id<'version'>
 
 /** Vertices of a polygon, counter-clockwise: x, y, x, y, …, or pairs. They are rounded to the lattice. */
@@ -45,8 +45,8 @@ export interface HashedSquare {
 
 export interface WorldOptions {
   /**
-   * Whether the edges between polygons of these two blocks stay. The smaller block comes first. It is asked once for
-   * each pair. If it throws, the pair is cancelled, and the call in which that happened throws an LgsError.
+   * Whether the edges between polygons of these two blocks stay. The smaller block comes first. It is called once
+   * for each pair. If it throws, the pair is cancelled, and the call in which that happened throws an LgsError.
    */
   preserve?: ((smaller: Block, greater: Block) => boolean) | undefined
   /** Geometry in 'double' (Float64Array, exact; the default) or 'float' (Float32Array, rounded). */
@@ -55,7 +55,7 @@ export interface WorldOptions {
 
 /**
  * Segments with their geometry, as typed arrays. Those of a commit are valid until the world's next commit(), rollBack()
- * or free(), those of segments() until its next segments() or free(): asked later, a property throws an LgsError
+ * or free(), those of segments() until its next segments() or free(): read later, a property throws an LgsError
  * 'stale-list'. An array that you keep yourself is not guarded: the next call of that kind overwrites it. copy() makes
  * lists that stay, and that can be posted.
  *
@@ -94,7 +94,7 @@ export interface Changes {
   readonly added: SegmentList
   /** Alive before and after, with another ghost. */
   readonly relinked: SegmentList
-  /** World.version before and after. If they are equal, nothing changed. */
+  /** World.version before and after. If they are equal, there was nothing to do. */
   readonly before: Version
   readonly after: Version
   copy(): ChangesCopy
@@ -221,7 +221,30 @@ export interface InitOptions {
   module?: WebAssembly.Module
 }
 
-/** A world of unit cells that hold polygons, and the outline of these. Free it when it is no longer needed. */
+/**
+ * A world of unit cells that hold polygons, and the outline of these. Free it when it is no longer needed.
+ *
+ * What is refused throws an LgsError, and has changed nothing. For any call its `code` can be 'bad-argument', 'freed' or
+ * 'busy' (and 'preserve-failed', 'out-of-memory' or 'crashed', where something went wrong: see ErrorCode); besides:
+ *
+ * | call | code |
+ * |---|---|
+ * | shape | 'too-few-vertices', 'capacity', 'not-finite', 'outside-cell', 'repeated-vertex', 'zero-area', 'self-intersecting', 'clockwise' |
+ * | add, addMany, fill, replace | 'cell-out-of-range', 'unloaded', 'unknown-shape', 'overlap' (not replace), 'capacity' |
+ * | addPolygon | as shape and add |
+ * | remove, removeMany, setBlock | 'stale-handle', 'unloaded', 'capacity' |
+ * | clear | 'cell-out-of-range', 'unloaded' |
+ * | paint, carve | 'out-of-reach', 'capacity', 'unloaded' |
+ * | rollBack, rollForward, forget | 'unknown-mark' |
+ * | unload, reloadEmpty | 'cell-out-of-range' |
+ * | reload | those of saves, from 'not-a-snapshot' to 'other-bytes' in ErrorCode |
+ * | polygon | 'stale-handle', 'unloaded' |
+ * | segment, hit | 'unknown-segment', 'unloaded' |
+ * | at | 'out-of-reach' |
+ * | nearest, rayCast | 'out-of-reach', 'unloaded' |
+ * | save, saveText | 'uncommitted', 'unloaded' |
+ * | all others | no more |
+ */
 export interface World {
   /** Validates and stores one polygon: simple, counter-clockwise, in the closed cell from (0, 0) to (1, 1). */
   shape(vertices: Vertices): ShapeId
@@ -297,7 +320,10 @@ export interface World {
   stats(): Stats
   /** The least rectangle of cells with all polygons; null in an empty world. */
   bounds(): CellRect | null
-  /** The version of the segments. Each commit that changes any makes a new one, and no other world here ever has it. */
+  /**
+   * The version of the ground and its segments. Each commit that finds an edit, or a chunk that left memory or came
+   * back, makes a new one, and no other world here ever has it.
+   */
   readonly version: Version
   /** The highest segment id in use so far. */
   readonly maxSegmentId: SegmentId

@@ -1,5 +1,6 @@
-// The ground of a game, held as one: it is dug, painted and built, what is cut off falls and becomes ground again where
-// it rests, all of that is undone and redone, a window of it is in memory, and all of it is saved, loaded and drawn.
+// The ground of a game as one object: it is dug, painted and built, what is cut off falls and becomes ground again
+// where it rests, all of that is undone and redone, a window of it is in memory, and all of it is saved, loaded and
+// drawn.
 //
 //   lgs::box2d::Ground ground({.isAnchor = isBedrock, .land = hills}, physics,   // <lgs/box2d/ground.h>
 //                             lgs::box2d::TerrainOptions{.cellSize = 0.5});
@@ -24,8 +25,8 @@
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo. The
 //     next stroke lets them.
-//  4. What reaches the edge of memory is held (kBeyond in islands.h). What is loose when it comes in falls. Undo and redo
-//     go on over chunks that left and came back. New land ends the redo.
+//  4. What reaches the edge of memory is anchored (kBeyond in islands.h). What is loose when it comes in falls. Undo
+//     and redo go on over chunks that left and came back. New land ends the redo.
 //  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 //
 // Costs: a stroke as of its edit, commit, the islands and the sync; an undo as of the strokes undone. A Ground stays
@@ -64,7 +65,7 @@ class Ground {
 
   // --- Strokes
 
-  /// Frees a region. Refused: as by carve(); so is what reaches out of the window.
+  /// Frees a region. Refused: as by carve(), so as `unloaded` where it reaches a chunk that is not in memory.
   Expected<void> dig(const Region& region) {
     return edit([&](World& world) { return carve(world, region, options_.staying); });
   }
@@ -98,7 +99,7 @@ class Ground {
   bool undo() { return canUndo() && go(now_ - 1); }
   /// Makes it again. Whether there was one.
   bool redo() { return canRedo() && go(now_ + 1); }
-  /// Lets go of all steps of undo, as after the game built a level.
+  /// Releases all steps of undo, as after the game built a level.
   void forgetUndo() {
     dropFuture();
     while (canUndo()) forgetOldest();

@@ -45,7 +45,7 @@ struct GroundOptions {
   std::function<void(World& land, const CellRect& chunk)> land{};
   Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
   std::size_t undoSteps = 64;     ///< how many strokes can be undone
-  /// Is notified of each commit, roll-back and roll-forward: for further views, or the server of addons/sync. After a
+  /// Is notified of each commit, roll-back and redo: for further views, or the server of addons/sync. After a
   /// load() the game begins them again.
   std::function<void(const World& world, const Changes& changes)> follow{};
 };

@@ -91,7 +91,7 @@ enum class PaintMode : std::uint8_t {
   replace,  ///< takes over what is there
 };
 
-/// Says of a block whether its polygons stay, whatever a brush does around them: bedrock that is never dug away, ore
+/// Returns whether polygons of a block stay, whatever a brush does around them: bedrock that is never dug away, ore
 /// that is mined in another way. It must give the same answer every time, throw nothing and not call back into the
 /// world. Empty: none stay.
 using StayingBlocks = std::function<bool(Block)>;
@@ -114,11 +114,11 @@ struct BrushResult {
 
 /// Paints a region with a block. What is painted and the polygons that the region meets are united, in each cell, where
 /// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles.
-/// Cells that are inside the region as a whole cost what add() and setBlock() cost. Refused, and nothing is changed:
-/// outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or
-/// if the region is more than kMaxRegionCells wide or high, or was made with a length out of range; capacity, if a cell
-/// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell); unloaded, if it
-/// has a part of an unloaded cell. A region without area changes nothing.
+/// Returns what became of polygons. Cells that are inside the region as a whole cost what add() and setBlock() cost.
+/// Refused, and nothing is changed: outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the
+/// ring, Error::vertex the vertex), or if the region is more than kMaxRegionCells wide or high, or was made with a
+/// length out of range; capacity, if a cell would hold too much (see limits.h), or the region is too much for it (see
+/// kMaxRegionEdgesPerCell); unloaded, if it has a part of an unloaded cell. A region without area changes nothing.
 ///
 /// `staying` is called once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut
 /// where the region's edge meets them, and the corner there is rounded (law 8), so now and then such a polygon gets
@@ -126,8 +126,8 @@ struct BrushResult {
 [[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode,
                                           const StayingBlocks& staying = {}) noexcept;
 
-/// Frees a region, but for what `staying` names. The rest is as for paint(). Cells that are inside the region as a
-/// whole cost what clear() costs; those in which something stays, what remove() costs.
+/// Frees a region, but for what `staying` names. Returned and refused: as by paint(), and so is the rest. Cells that
+/// are inside the region as a whole cost what clear() costs; those in which something stays, what remove() costs.
 [[nodiscard]] Expected<BrushResult> carve(World& world, const Region& region,
                                           const StayingBlocks& staying = {}) noexcept;
 

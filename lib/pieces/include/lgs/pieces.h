@@ -102,7 +102,7 @@ class Pieces {
   Pieces(Pieces&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
   Pieces& operator=(Pieces&&) noexcept;
 
-  /// Takes over what the world's last commit, roll-back or roll-forward changed. False, and nothing changes, if
+  /// Takes over what the world's last commit, roll-back or redo changed. False, and nothing changes, if
   /// `changes` are not those of it, or do not lead from the version that was seen last, as one was missed, or if the world
   /// does not follow its cells: then begin again. Cost: in proportion to the vertices of the changed cells; and for each content that no cell had before,
   /// O(n log n) for its n vertices, and moves of at most n² words. It looks at no other cell.

@@ -55,7 +55,7 @@ class GroundHashes {
   /// vertices.
   explicit GroundHashes(const World& world) noexcept;
 
-  /// Takes over what the world's last commit, roll-back or roll-forward changed. False, and nothing changes, if
+  /// Takes over what the world's last commit, roll-back or redo changed. False, and nothing changes, if
   /// `changes` are not those of it, or do not lead from the version that was seen last, as one was missed, or if the
   /// world does not follow its cells: then begin again. Cost: in proportion to the polygons and vertices of the changed
   /// cells. A search for the worst commit found some 180 basic blocks for each vertex and cell; a test holds it below

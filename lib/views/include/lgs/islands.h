@@ -13,9 +13,9 @@
 // part. An island that lies in a hole of another one is a separate island.
 //
 // The edge of memory: what lies in unloaded chunks (World::unload()), and whatever hangs together with it as their
-// borders show, is one island, kBeyond. What holds it is not known, so it never falls; it is not among all() and has no
-// facts. When a chunk leaves, the islands there are reported as joined with it; when it comes back they are reported as
-// cut off from it, and loose() names those that nothing holds. So unload and reload are followed as edits are.
+// borders show, is one island, kBeyond. What anchors it is not known, so it never falls; it is not among all() and has
+// no facts. When a chunk leaves, the islands there are reported as joined with it; when it comes back they are reported
+// as cut off from it, and loose() names those that nothing anchors. So unload and reload are followed as edits are.
 //
 // The view follows loops (loops.h) and has one inside: loops(). What loops.h has on preserve relations, copies, threads
 // and memory holds here. Under a preserve relation commit before you unload; and chunks that are unloaded when the view
@@ -48,11 +48,11 @@ inline constexpr IslandId kBeyond{UINT32_MAX};
 struct IslandFacts {
   IslandId id;                ///< its name
   LoopFacts outer;            ///< its outer loop. The area is with all holes, as they are separate loops
-  std::uint64_t anchors = 0;  ///< how many of its polygons are anchors; 0: nothing holds it
+  std::uint64_t anchors = 0;  ///< how many of its polygons are anchors; 0: nothing anchors it
   friend constexpr bool operator==(const IslandFacts&, const IslandFacts&) = default;
 };
 
-/// Whether a polygon of this block in this cell holds its island. It must give the same answer every time, throw
+/// Whether a polygon of this block in this cell anchors its island. It must give the same answer every time, throw
 /// nothing and not call back into the world.
 using IsAnchor = std::function<bool(Block, Cell)>;
 
@@ -136,7 +136,7 @@ class Islands {
   /// All islands, by id, but for kBeyond.
   std::vector<IslandId> all() const noexcept;
 
-  /// The islands of now that the last update names and that nothing holds, by id: both sides of a cut are looked at,
+  /// The islands of now that the last update names and that nothing anchors, by id: both sides of a cut are looked at,
   /// and those that lost an anchor. They may fall. After construction none. Cost: that of island() for each that is
   /// named.
   std::vector<IslandId> loose() const noexcept;
@@ -155,12 +155,13 @@ class Islands {
 
 /// Takes an island out of the ground: its polygons are removed by one edit, which the next commit reports, and come as
 /// a body. What lies in its holes stays. Edits that were made since the view's last update count: then it is what hangs
-/// together with the first polygon of the outer loop. Refused: staleHandle, if that polygon is gone, or if the id names
-/// no island. Cost: in proportion to the polygons of the island and those in the eight cells around each.
+/// together with the first polygon of the outer loop. Returns the body. Refused: staleHandle, if that polygon is gone,
+/// or if the id names no island or is kBeyond; unloaded and capacity, as by World::removeMany(). Cost: in proportion to
+/// the polygons of the island and those in the eight cells around each.
 [[nodiscard]] Expected<Body> take(World& world, const Islands& islands, IslandId island) noexcept;
 
-/// The same with solids apart that touch in points only: a body for each part of the island whose
-/// polygons share more than points. All of them leave the ground.
+/// The same with solids apart that touch in points only. Returns a body for each part of the island whose polygons
+/// share more than points. All of them leave the ground. Refused: as by take().
 [[nodiscard]] Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, IslandId island) noexcept;
 
 /// What an edit would do.

@@ -40,7 +40,8 @@ LGS_API lgs_status lgs_shape_box(const lgs_world* world, lgs_shape_id shape, lgs
 /* --- Edits ------------------------------------------------------------------------------------------------------- */
 
 /* Places every polygon of a shape in a cell, all with this block. `polygon` receives the id of the first one. Refused:
- * LGS_CELL_OUT_OF_RANGE, LGS_UNKNOWN_SHAPE, LGS_OVERLAP, LGS_CAPACITY. Cost: O(1) in a cell that is empty. */
+ * LGS_CELL_OUT_OF_RANGE, LGS_UNLOADED, LGS_UNKNOWN_SHAPE, LGS_OVERLAP, LGS_CAPACITY. Cost: O(1) in a cell that is
+ * empty. */
 LGS_API lgs_status lgs_add(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block,
                            lgs_polygon_id* polygon, lgs_error* error) LGS_NOTHROW;
 
@@ -71,7 +72,8 @@ typedef struct lgs_placement {
 LGS_API lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_t count,
                                 lgs_polygon_id* polygons, lgs_error* error) LGS_NOTHROW;
 
-/* Refused: LGS_STALE_HANDLE; LGS_CAPACITY, if what is left in the cell would be a content too many. */
+/* Removes one polygon. Refused: LGS_STALE_HANDLE; LGS_UNLOADED; LGS_CAPACITY, if what is left in the cell would be a
+ * content too many. */
 LGS_API lgs_status lgs_remove(lgs_world* world, lgs_polygon_id polygon, lgs_error* error) LGS_NOTHROW;
 
 /* Removes many polygons: all of them or none. Refused as by lgs_remove(), and the error's `index` names which one; so
@@ -95,17 +97,17 @@ typedef struct lgs_new_polygon {
 
 /* Removes some polygons of a cell and places others in it, as one edit: all of it happens, or nothing. Ids, segments
  * and lists are as by lgs_remove() and lgs_add_points() one after the other; but polygons need not be apart from those
- * that go. polygons[k] receives the id of added[k]; it may be NULL. Refused: LGS_CELL_OUT_OF_RANGE; LGS_STALE_HANDLE,
- * for an id that is not of this cell or comes twice, and the error's `index` names which; as by lgs_shape(), and the
- * error's `polygon` names which; LGS_OVERLAP; LGS_CAPACITY, without looking at any, if more than LGS_MAX_CELL_POLYGONS
- * are added. Cost: as of one lgs_add_points(). */
+ * that go. polygons[k] receives the id of added[k]; it may be NULL. Refused: LGS_CELL_OUT_OF_RANGE; LGS_UNLOADED;
+ * LGS_STALE_HANDLE, for an id that is not of this cell or comes twice, and the error's `index` names which; as by
+ * lgs_shape(), and the error's `polygon` names which; LGS_OVERLAP; LGS_CAPACITY, without looking at any, if more than
+ * LGS_MAX_CELL_POLYGONS are added. Cost: as of one lgs_add_points(). */
 LGS_API lgs_status lgs_exchange(lgs_world* world, lgs_cell cell, const lgs_polygon_id* removed, size_t removed_count,
                                 const lgs_new_polygon* added, size_t added_count, lgs_polygon_id* polygons,
                                 lgs_error* error) LGS_NOTHROW;
 
 /* Gives a polygon another block. It keeps its id and its place. The next commit removes its segments and adds them
- * again, as another block is another owner; all others keep their ids. Refused: LGS_STALE_HANDLE; LGS_CAPACITY, if a
- * preserve relation makes one content too many of the cell. */
+ * again, as another block is another owner; all others keep their ids. Refused: LGS_STALE_HANDLE; LGS_UNLOADED;
+ * LGS_CAPACITY, if a preserve relation makes one content too many of the cell. */
 LGS_API lgs_status lgs_set_block(lgs_world* world, lgs_polygon_id polygon, lgs_block block,
                                  lgs_error* error) LGS_NOTHROW;
 
@@ -117,7 +119,8 @@ LGS_API lgs_status lgs_fill(lgs_world* world, lgs_cell_rect cells, lgs_shape_id 
                             uint64_t* filled, lgs_error* error) LGS_NOTHROW;
 
 /* Removes every polygon in every cell of a rectangle. `removed` receives the number of polygons. Refused:
- * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range. */
+ * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range; LGS_UNLOADED, with the first such
+ * cell. */
 LGS_API lgs_status lgs_clear(lgs_world* world, lgs_cell_rect cells, uint64_t* removed, lgs_error* error) LGS_NOTHROW;
 
 /* A group of edits, which happens as a whole or not at all. lgs_undo() takes back the edits since lgs_begin(), as if
@@ -198,12 +201,12 @@ LGS_API lgs_status lgs_roll_back_keeping(lgs_world* world, lgs_mark mark, lgs_ch
 LGS_API lgs_status lgs_roll_forward(lgs_world* world, lgs_mark mark, lgs_changes* changes,
                                     lgs_error* error) LGS_NOTHROW;
 
-/* Lets go of a mark. Other marks stay. Refused: LGS_UNKNOWN_MARK. */
+/* Releases a mark. Other marks stay. Refused: LGS_UNKNOWN_MARK. */
 LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error) LGS_NOTHROW;
 
 /* --- Leaving places ---------------------------------------------------------------------------------------------- */
 
-/* Lets go of a place that the game has left. Each chunk of 32x32 cells that lies in the rectangle as a whole and holds
+/* Releases a place that the game has left. Each chunk of 32x32 cells that lies in the rectangle as a whole and holds
  * no polygon gives its memory back, and so does each unloaded one that had no loaded chunk around it at the last
  * commit, unless a roll-back or redo changed it since it was unloaded; other chunks stay. `forgotten` receives how many
  * were forgotten. An empty rectangle is no error. All polygon ids that were ever given out for cells of these chunks

@@ -14,7 +14,7 @@ extern "C" {
  * until lgs_forget_chunks() lets go of them. */
 typedef struct lgs_world lgs_world;
 
-/* Says whether the overlap between polygons of these two blocks is kept (not 0) or cancelled (0). The smaller block
+/* Returns whether the overlap between polygons of these two blocks is kept (not 0) or cancelled (0). The smaller block
  * always comes first. It must give the same answer every time. A commit with an executor calls it from several threads
  * at the same time, and so do commits of copies: they share `user`, which must live as long as the last of them. */
 typedef int32_t (*lgs_preserve_fn)(void* user, lgs_block smaller, lgs_block greater);
@@ -90,10 +90,11 @@ typedef struct lgs_stats {
 /* Cost: it looks at every cell of every chunk. */
 LGS_API lgs_status lgs_count(const lgs_world* world, lgs_stats* stats) LGS_NOTHROW;
 
-/* The version of the segments, as of the last commit. Each commit that changes any makes a new one, and no world of
- * this process ever makes the same one. A copy has that of its original, until one of them changes. lgs_roll_back()
- * brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions mean nothing else:
- * the same edits make other ones in another run. */
+/* The version of the ground and its segments, as of the last commit. Each commit that finds an edit, or a chunk that
+ * left memory or came back, makes a new one, also if no segment changes, and no world of this process ever makes the
+ * same one. A copy has that of its original, until one of them changes. lgs_roll_back() brings back that of the mark,
+ * unless chunks left or came back since. A loaded world has a new one. Versions mean nothing else: the same edits make
+ * other ones in another run. */
 LGS_API uint64_t lgs_segments_version(const lgs_world* world) LGS_NOTHROW;
 
 /* The highest segment id in use so far: an array for what you know of segments needs one place more. Only

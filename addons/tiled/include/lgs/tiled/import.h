@@ -93,10 +93,10 @@ inline constexpr std::uint32_t kNoTile = ~std::uint32_t{0};
 /// One polygon in a cell.
 struct MapPolygon {
   Cell cell;                 ///< where
-  Block block = 1;           ///< what Options::blockFrom asks for
+  Block block = 1;           ///< what Options::blockFrom requests
   std::uint32_t shape = 0;   ///< index in ImportedMap::shapes
   std::uint32_t tile = 0;    ///< index in Report::tiles, or kNoTile
-  std::uint32_t object = 0;  ///< id of the collision object; 0 for a full square that Options asked for
+  std::uint32_t object = 0;  ///< id of the collision object; 0 for a full square that Options requested
   std::uint32_t layer = 0;   ///< index in Report::layers
 
   friend auto operator<=>(const MapPolygon&, const MapPolygon&) = default;
@@ -122,7 +122,7 @@ inline constexpr std::string_view kNoSuchFile = "there is no such file";
 /// own can serve files from memory; then an import touches no file.
 ///
 /// Maps are untrusted, and so are the names in them. Without Options::filesAnywhere and Options::filesIn a reader
-/// is asked only for the map's path and for paths that lie below the map's folder as they are written: without "..",
+/// is called only for the map's path and for paths that lie below the map's folder as they are written: without "..",
 /// with slashes only. A reader of a server's disk must not follow links out of the folder, nor open what is no regular
 /// file, as it may block; readerBelow() is such a reader. What a reader says of a file that it can not read becomes
 /// part of the error. What it throws comes out of importMap(), and nothing is leaked; so it is with a FolderLister.
@@ -146,8 +146,8 @@ FileReader readerBelow(const std::string& folder);
 /// Lists a folder of the disk.
 tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path);
 
-/// Reads a map, world or LDtk project, and what it names. The first problem that spoils the map is the error. With a
-/// reader and no lister, a world with patterns is an error.
+/// Reads a map, world or LDtk project, and what it names. Returns the polygons and the report. Refused: the first
+/// problem that spoils the map is the error. With a reader and no lister, a world with patterns is refused.
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
                                                  const FileReader& reader, const FolderLister& lister = {});
 

@@ -58,8 +58,8 @@ struct Options {
 
   /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names
   /// get the least unused numbers from 1 up, in the order in which the import meets them: such numbers may change with
-  /// an edit of the map, and the report warns of them. A game that knows a class gives it a number here, or asks for it:
-  /// ImportedMap::block("ice").
+  /// an edit of the map, and the report warns of them. A game that knows a class gives it a number here, or requests
+  /// it: ImportedMap::block("ice").
   std::map<std::string, Block> blocks = {};
 
   /// Tile layers to import: names or paths ("Group/Layer") of layers or groups; in worlds and LDtk projects also of

@@ -38,8 +38,8 @@ struct TileReport {
   std::uint64_t uses = 0;   ///< how often the imported layers show it
   bool hasShapes = false;   ///< whether it has any collision object
   std::vector<Note> notes;  ///< sorted by kind, then object
-  bool isSolid = false;     ///< it has no shapes, and is a full square as Options asked, at least in one layer
-  bool isLeftOut = false;   ///< as Options::leaveOut asked
+  bool isSolid = false;     ///< it has no shapes, and is a full square as Options requested, at least in one layer
+  bool isLeftOut = false;   ///< as Options::leaveOut requested
   std::vector<std::uint32_t> layers = {};  ///< in which it is used: indices in Report::layers
 };
 

@@ -122,8 +122,8 @@ class TerrainBase {
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop.
   bool fits(BodyArgument body) noexcept;
 
-  /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
-  /// somewhat larger.
+  /// Polygons around the shapes of a body that collide with edges, in lattice units of the world: for a brush. Round
+  /// ones are somewhat larger.
   std::vector<std::vector<Point>> outlinesOf(ConstBodyHandle body) noexcept;
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes

@@ -81,7 +81,7 @@ class FallingGround {
     return made;
   }
 
-  /// To be called after the sync of a roll-back or roll-forward. If that brought the ground of a body back, as it undid
+  /// To be called after the sync of a roll-back or redo. If that brought the ground of a body back, as it undid
   /// its taking, the body is destroyed: else there would be twice the matter. If it did the taking again, the body is
   /// made again, where its ground was. What an undone settle() has taken out of the ground is not made again. Cost: a
   /// look at each body; as of afterSync().

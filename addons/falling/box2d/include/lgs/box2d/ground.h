@@ -80,7 +80,7 @@ class GroundHost {
     const auto [velocity, spin] = movingOf(body);
     return std::hypot(velocity.x, velocity.y) < kSlow && std::abs(spin) < kSlowSpin;
   }
-  /// Whether the ground would hold it: who lies on another body alone would fall again.
+  /// Whether the ground would carry it: a rock that rests on another body alone would fall again.
   bool isHeld(BodyHandle body) { return touchesGround(terrain_, body); }
   /// As FallingGround::settle().
   Expected<void> settle(BodyHandle body) { return falling_.settle(body); }

@@ -1,4 +1,4 @@
-// Bodies of Box2D 2.4 that are remembered, told from later ones that have their address.
+// Bodies of Box2D 2.4 that are remembered, distinguished from later ones that have their address.
 #pragma once
 
 #include <box2d/box2d.h>
