@@ -91,7 +91,7 @@ test('who comes first sees a hand that digs; whoever digs takes over, and the co
     assert.ok(await page.locator('#dig-hand').isHidden())
   }, { viewport: { width: 1280, height: 800 } }))
 
-test('a stem is cut, its cap falls and is ground again; held, the button brings all of it back', () =>
+test('a stem is cut, its cap falls and is ground again; a tap takes one dig back, and held, the button all', () =>
   first(async (page) => {
     const whole = await area(page)
     await cutStem(page)
@@ -101,17 +101,29 @@ test('a stem is cut, its cap falls and is ground again; held, the button brings 
     await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length === 0, null, { timeout: 60_000 })
     assert.ok(Math.abs((await area(page)) - cut) < 0.2)
     const { x, y } = await page.locator('#dig-back').boundingBox()
+    const other = await page.locator('#dig').boundingBox(), size = await page.evaluate(() => window.sandbox.digger.size)
+    await page.mouse.move(other.x + 12 * size, other.y + other.height - size * 2)
+    await page.mouse.down()
+    await page.mouse.move(other.x + 24 * size, other.y + other.height - size * 2, { steps: 60 }) // longer than a tap has frames
+    await page.mouse.up()
+    assert.ok((await area(page)) < cut - 3)
     await page.mouse.move(x + 9, y + 9)
+    await page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
+    assert.ok(Math.abs((await area(page)) - cut) < 0.2)
     await page.mouse.down()
     await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
     await page.mouse.up()
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6, `${await area(page)} and not ${whole}`)
   }, calm))
 
-test('by keys: a cursor, Enter digs, Z goes back', () =>
+test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z goes back', () =>
   first(async (page) => {
-    await page.locator('#dig').focus()
-    for (let k = 0; k < 30; ++k) await page.keyboard.press('ArrowDown')
+    const last = () => page.evaluate(() => window.sandbox.digger.ground.world.bounds().i1), before = await last()
+    await page.keyboard.down('ArrowRight')
+    await page.waitForFunction((before) => window.sandbox.digger.ground.world.bounds().i1 > before, before)
+    await page.keyboard.up('ArrowRight')
+    assert.ok(await page.locator('#dig-hand').isHidden())
+    for (let k = 0; k < 30; ++k) await page.keyboard.press('Shift+ArrowDown')
     await page.keyboard.press('Enter')
     assert.ok(await page.evaluate(() => window.sandbox.digger.ground.canUndo))
     await page.keyboard.down('z')
