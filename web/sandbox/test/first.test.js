@@ -24,7 +24,7 @@ test('who goes on to all tools for the first time sees a rock fall, and where to
     '?welcome',
   ))
 
-test('on a phone all targets are 44 pixels high, and nothing is beyond its sides', () =>
+test('on a phone all targets are 44 pixels wide and high, and nothing is beyond its sides', () =>
   browser.onPage(
     async (page) => {
       for (const more of [false, true]) {
@@ -33,7 +33,7 @@ test('on a phone all targets are 44 pixels high, and nothing is beyond its sides
           [...document.querySelectorAll('#bar label, #bar button, #bar select, header button, nav a')]
             .filter((each) => each.offsetParent !== null)
             .map((each) => [each.textContent, each.getBoundingClientRect()])
-            .filter(([, { height, left, right }]) => height < 43.5 || left < 0 || right > 390)
+            .filter(([, { height, width, left, right }]) => height < 43.5 || width < 43.5 || left < 0 || right > innerWidth)
             .map(([text, { height, left, right }]) => `${text}: ${height} high, ${left} to ${right}`),
         )
         assert.deepEqual(small, [])
@@ -89,6 +89,9 @@ test('who comes first sees a hand that digs; whoever digs takes over, and the co
     assert.ok(lines.length - 2 <= 20, `${lines.length - 2} lines`)
     await cutStem(page)
     assert.ok(await page.locator('#dig-hand').isHidden())
+    assert.ok(await page.evaluate(() => document.getElementById('dig').clientHeight / window.sandbox.digger.size >= 32), 'the land is seen in its whole height')
+    await page.locator('#dig-race').click()
+    assert.ok(await page.locator('#race-dialog').isVisible())
   }, { viewport: { width: 1280, height: 800 } }))
 
 test('a stem is cut, its cap falls and is ground again; a tap takes one dig back, and held, the button all', () =>
@@ -102,9 +105,9 @@ test('a stem is cut, its cap falls and is ground again; a tap takes one dig back
     assert.ok(Math.abs((await area(page)) - cut) < 0.2)
     const { x, y } = await page.locator('#dig-back').boundingBox()
     const other = await page.locator('#dig').boundingBox(), size = await page.evaluate(() => window.sandbox.digger.size)
-    await page.mouse.move(other.x + 12 * size, other.y + other.height - size * 2)
+    await page.mouse.move(other.x + 12 * size, other.y + other.height - size * 25)
     await page.mouse.down()
-    await page.mouse.move(other.x + 24 * size, other.y + other.height - size * 2, { steps: 60 }) // longer than a tap has frames
+    await page.mouse.move(other.x + 24 * size, other.y + other.height - size * 25, { steps: 60 }) // longer than a tap has frames
     await page.mouse.up()
     assert.ok((await area(page)) < cut - 3)
     await page.mouse.move(x + 9, y + 9)
@@ -149,7 +152,7 @@ test('on a phone: targets of 44 pixels, nothing beyond its sides; and all tools 
       [...document.querySelectorAll('#digger button, #digger label, header button, nav a')]
         .filter((each) => each.offsetParent !== null)
         .map((each) => [each.textContent, each.getBoundingClientRect()])
-        .filter(([, { height, left, right }]) => height < 43.5 || left < 0 || right > 390)
+        .filter(([, { height, width, left, right }]) => height < 43.5 || width < 43.5 || left < 0 || right > 390)
         .map(([text, { height, left, right }]) => `${text}: ${height} high, ${left} to ${right}`))
     assert.deepEqual(small, [])
     await page.locator('#dig-show').check()
