@@ -1,5 +1,5 @@
 // Drag to dig. What you cut off falls, and is ground again where it rests.
-// A and D walk, the land has no end; Z, or a second finger, goes back in time.
+// A and D, or the arrow keys, walk, the land has no end; Z, or a second finger, goes back in time.
 import { World } from 'planck'
 import { GroundPicture } from 'localgridseg/draw'
 import { init, thickLine, unitSquare } from 'localgridseg/islands'
@@ -9,6 +9,7 @@ const bedrock = 2
 const colours = { 1: '#b08968', [bedrock]: '#5d4a3a', 3: '#4f9d96', 4: '#d1604c' }
 const options = { anchors: { blocks: [bedrock] }, land, undoSteps: 2000 }
 const fingers = new Map()
+const walk = { a: -1, ArrowLeft: -1, d: 1, ArrowRight: 1 }
 let held = '' // a key
 
 export async function digger(canvas, size = 24) { // pixels of a cell
@@ -25,7 +26,7 @@ export async function digger(canvas, size = 24) { // pixels of a cell
   }
   requestAnimationFrame(function frame(now, last = now - 16) {
     const time = Math.min(0.05, (now - last) / 1000) // seconds
-    picture.x += 20 * time * ((held === 'd') - (held === 'a'))
+    picture.x += 20 * time * (walk[held] ?? 0)
     ground.window(picture.cells) // the rest leaves memory, and comes back
     held === 'z' || fingers.size > 1 ? ground.undo() : ground.step(time)
     picture.draw()

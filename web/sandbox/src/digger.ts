@@ -12,6 +12,7 @@ import { wantsCalm } from './theme.js'
 const before = 900 // milliseconds until the hand digs
 const cut = 500 // that it takes for a stem
 const pause = 2200 // between two stems
+const shown = 3 // things that it cuts; the others are left to who looks on
 const wait = 1500 // between two races
 
 export class Digger {
@@ -24,6 +25,8 @@ export class Digger {
   readonly #strip = element('dig-race').querySelector('canvas')!
   #isShowing = !wantsCalm() // the hand digs
   #cursor: [number, number] | null = null // of the keyboard, in pixels
+  #strokes = 0 // that can be taken back
+  readonly #begun: number[] = [] // how many there were when each dig began
 
   /** `onLeave`: for all tools. The digger is gone then. */
   async open(onLeave: () => Promise<void>): Promise<void> {
@@ -33,12 +36,13 @@ export class Digger {
       document.documentElement.classList.remove('first')
       await onLeave()
     }
-    // The land is 32 cells high, and the lower 21 are to be seen in any case.
-    const { clientHeight } = this.#canvas
-    this.size = Math.max(clientHeight / 32, Math.min(innerWidth < 720 ? 22 : 26, clientHeight / 21))
+    // The land is 32 cells high, and a mouse hits small ones. For a finger they are larger, and the lower 21 are to be seen.
+    const { clientHeight } = this.#canvas, least = matchMedia('(pointer: coarse)').matches ? (innerWidth < 720 ? 22 : 26) : 0
+    this.size = Math.max(clientHeight / 32, Math.min(least, clientHeight / 21))
     this.ground = await digger(this.#canvas, this.size)
     onClick('dig-more', () => void leave())
     addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
+    this.#count(this.ground)
     this.#listen()
     requestAnimationFrame((now) => this.#dig(now, now))
     requestAnimationFrame(() => requestAnimationFrame((now) => this.#race(now))) // once the ground is seen
@@ -55,16 +59,56 @@ export class Digger {
       for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur']) button.addEventListener(end, () => say('keyup'))
       button.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') say('keydown') })
     }
+    this.#canvas.addEventListener('pointerdown', ({ isTrusted }) => { if (isTrusted) this.#begin() }, { capture: true })
+    this.#canvas.addEventListener('pointermove', ({ isTrusted }) => {
+      if (!isTrusted || this.#cursor === null) return
+      this.#cursor = null // whoever points needs no cursor
+      this.#hand.hidden = true
+    })
+    addEventListener('keydown', ({ key, repeat }) => { if (key === 'z' && !repeat && this.#section.isConnected) this.#rewind() })
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
-    this.#canvas.addEventListener('keydown', (event) => {
-      const { clientWidth, clientHeight } = this.#canvas, by = arrows[event.key]
+    document.addEventListener('keydown', (event) => {
+      if (!this.#section.isConnected || (event.target !== this.#canvas && event.target !== document.body)) return
+      const { clientWidth, clientHeight } = this.#canvas, by = event.shiftKey ? arrows[event.key] : undefined
       if (by === undefined && event.key !== 'Enter' && event.key !== ' ') return
       event.preventDefault()
+      event.stopPropagation() // else the arrow walked, too
       const [x, y] = this.#cursor ?? [clientWidth / 2, clientHeight / 2], step = this.size / 2
       this.#cursor = by === undefined ? [x, y] : [x + by[0] * step, y + by[1] * step]
       this.#show(...this.#cursor)
-      if (by === undefined) this.#touch(...this.#cursor)
+      if (by !== undefined) return
+      this.#begin()
+      this.#touch(...this.#cursor)
     })
+  }
+
+  // A dig has a stroke for each move of the pointer. One tap takes all of them back.
+  #count(ground: Ground): void {
+    const edit = ground.edit.bind(ground), undo = ground.undo.bind(ground)
+    ground.edit = (edits) => {
+      const result = edit(edits)
+      ++this.#strokes
+      return result
+    }
+    ground.undo = () => {
+      const isDone = undo()
+      if (isDone) --this.#strokes
+      return isDone
+    }
+  }
+
+  #begin(): void {
+    this.#begun.push(this.#strokes)
+  }
+
+  /** To before the last dig. Who holds the key goes on stroke by stroke: that is digger.js. */
+  #rewind(): void {
+    while (this.#begun.length > 0) {
+      const to = this.#begun.pop()!
+      if (to >= this.#strokes) continue // it is taken back already
+      while (this.#strokes > to && this.ground!.undo());
+      return
+    }
   }
 
   #show(x: number, y: number): void {
@@ -90,12 +134,14 @@ export class Digger {
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
     const x = (9.4 + 6.2 * k) * this.size, y = clientHeight - (k % 2 === 0 ? 16.5 : 8.5) * this.size
-    const at: [number, number] = [x + this.size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2, y]
+    const way = this.size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2
+    const at: [number, number] = [x + way, k % 2 === 0 ? y : y + way] // a stem at a slant, so that its cap slides off the stump
     this.#show(...at)
+    if (time > 0 && last === null) this.#begin()
     if (time > 0) this.#touch(...(last ?? at), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
-    if (isCut && (9.4 + 6.2 * next + 1.4) * this.size > clientWidth) return
+    if (isCut && (next === shown || 9.4 + 6.2 * next + 1.4 > clientWidth / this.size)) return
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
   }
 

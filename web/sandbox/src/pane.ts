@@ -154,6 +154,7 @@ export class Pane {
     this.#shown[name] = value
     const place = this.#section.querySelector(`[data-count=${name}]`)!
     place.textContent = name === 'kicks' ? String(value) : value.toFixed(2)
+    if (name === 'kicks') place.nextElementSibling!.textContent = value === 1 ? 'kick' : 'kicks'
     place.parentElement!.classList.toggle('some', value > 0)
   }
 }

@@ -24,7 +24,7 @@ test('who goes on to all tools for the first time sees a rock fall, and where to
     '?welcome',
   ))
 
-test('on a phone all targets are 44 pixels high, and nothing is beyond its sides', () =>
+test('on a phone all targets are 44 pixels wide and high, and nothing is beyond its sides', () =>
   browser.onPage(
     async (page) => {
       for (const more of [false, true]) {
@@ -33,7 +33,7 @@ test('on a phone all targets are 44 pixels high, and nothing is beyond its sides
           [...document.querySelectorAll('#bar label, #bar button, #bar select, header button, nav a')]
             .filter((each) => each.offsetParent !== null)
             .map((each) => [each.textContent, each.getBoundingClientRect()])
-            .filter(([, { height, left, right }]) => height < 43.5 || left < 0 || right > 390)
+            .filter(([, { height, width, left, right }]) => height < 43.5 || width < 43.5 || left < 0 || right > innerWidth)
             .map(([text, { height, left, right }]) => `${text}: ${height} high, ${left} to ${right}`),
         )
         assert.deepEqual(small, [])
@@ -89,9 +89,12 @@ test('who comes first sees a hand that digs; whoever digs takes over, and the co
     assert.ok(lines.length - 2 <= 20, `${lines.length - 2} lines`)
     await cutStem(page)
     assert.ok(await page.locator('#dig-hand').isHidden())
+    assert.ok(await page.evaluate(() => document.getElementById('dig').clientHeight / window.sandbox.digger.size >= 32), 'the land is seen in its whole height')
+    await page.locator('#dig-race').click()
+    assert.ok(await page.locator('#race-dialog').isVisible())
   }, { viewport: { width: 1280, height: 800 } }))
 
-test('a stem is cut, its cap falls and is ground again; held, the button brings all of it back', () =>
+test('a stem is cut, its cap falls and is ground again; a tap takes one dig back, and held, the button all', () =>
   first(async (page) => {
     const whole = await area(page)
     await cutStem(page)
@@ -101,17 +104,29 @@ test('a stem is cut, its cap falls and is ground again; held, the button brings 
     await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length === 0, null, { timeout: 60_000 })
     assert.ok(Math.abs((await area(page)) - cut) < 0.2)
     const { x, y } = await page.locator('#dig-back').boundingBox()
+    const other = await page.locator('#dig').boundingBox(), size = await page.evaluate(() => window.sandbox.digger.size)
+    await page.mouse.move(other.x + 12 * size, other.y + other.height - size * 25)
+    await page.mouse.down()
+    await page.mouse.move(other.x + 24 * size, other.y + other.height - size * 25, { steps: 60 }) // longer than a tap has frames
+    await page.mouse.up()
+    assert.ok((await area(page)) < cut - 3)
     await page.mouse.move(x + 9, y + 9)
+    await page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
+    assert.ok(Math.abs((await area(page)) - cut) < 0.2)
     await page.mouse.down()
     await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
     await page.mouse.up()
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6, `${await area(page)} and not ${whole}`)
   }, calm))
 
-test('by keys: a cursor, Enter digs, Z goes back', () =>
+test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z goes back', () =>
   first(async (page) => {
-    await page.locator('#dig').focus()
-    for (let k = 0; k < 30; ++k) await page.keyboard.press('ArrowDown')
+    const last = () => page.evaluate(() => window.sandbox.digger.ground.world.bounds().i1), before = await last()
+    await page.keyboard.down('ArrowRight')
+    await page.waitForFunction((before) => window.sandbox.digger.ground.world.bounds().i1 > before, before)
+    await page.keyboard.up('ArrowRight')
+    assert.ok(await page.locator('#dig-hand').isHidden())
+    for (let k = 0; k < 30; ++k) await page.keyboard.press('Shift+ArrowDown')
     await page.keyboard.press('Enter')
     assert.ok(await page.evaluate(() => window.sandbox.digger.ground.canUndo))
     await page.keyboard.down('z')
@@ -137,7 +152,7 @@ test('on a phone: targets of 44 pixels, nothing beyond its sides; and all tools 
       [...document.querySelectorAll('#digger button, #digger label, header button, nav a')]
         .filter((each) => each.offsetParent !== null)
         .map((each) => [each.textContent, each.getBoundingClientRect()])
-        .filter(([, { height, left, right }]) => height < 43.5 || left < 0 || right > 390)
+        .filter(([, { height, width, left, right }]) => height < 43.5 || width < 43.5 || left < 0 || right > 390)
         .map(([text, { height, left, right }]) => `${text}: ${height} high, ${left} to ${right}`))
     assert.deepEqual(small, [])
     await page.locator('#dig-show').check()

@@ -116,6 +116,6 @@ export class Race {
     if (rough.time === null) return `With ghosts ${smooth.time.toFixed(2)} s.`
     const kicks = rough.side.kicks.count
     const lead = (rough.time - smooth.time).toFixed(2)
-    return `With ghosts it wins by ${lead} s: ${smooth.time.toFixed(2)} to ${rough.time.toFixed(2)}. Without it was kicked ${kicks} times.`
+    return `With ghosts it wins by ${lead} s: ${smooth.time.toFixed(2)} to ${rough.time.toFixed(2)}. Without it was kicked ${kicks} ${kicks === 1 ? 'time' : 'times'}.`
   }
 }

@@ -17,7 +17,7 @@ export class RaceStage {
 
   /** `onOpen` and `onClose`: the sandbox behind it stands still meanwhile. */
   constructor(onOpen: () => void, onClose: () => void) {
-    onClick('race', () => this.open(onOpen))
+    for (const id of ['race', 'dig-race']) onClick(id, () => this.open(onOpen))
     onClick('race-again', () => this.#begin())
     this.#dialog.addEventListener('close', () => {
       this.race?.free()
