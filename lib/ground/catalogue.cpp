@@ -51,7 +51,8 @@ Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
   const auto isIt = [&](PolygonId id) { return std::ranges::equal(polygons_[id].vertices, vertices); };
   if (lastPolygon_ < polygons_.size() && !vertices.empty() && isIt(lastPolygon_)) return lastPolygon_;
   const std::uint64_t hash = hashOf(polygonIndex_.seed(), vertices);
-  if (const std::uint32_t found = polygonIndex_.find(hash, isIt); found != HashIndex::kNone) return lastPolygon_ = found;
+  if (const std::uint32_t found = polygonIndex_.find(hash, isIt); found != HashIndex::kNone)
+    return lastPolygon_ = found;
   if (const auto defect = findDefect(vertices))
     return refuse({.code = defect->code, .polygon = 0, .vertex = defect->vertex, .vertex2 = defect->vertex2});
   InternedPolygon polygon;

@@ -13,7 +13,7 @@ namespace lgs::oracle {
 namespace {
 
 constexpr std::int32_t kUnit = kUnitsPerCell;
-constexpr Cell kMove{13, 21};                      // so that the borders of chunks are elsewhere
+constexpr Cell kMove{13, 21};                       // so that the borders of chunks are elsewhere
 constexpr Block kFactor = 0x9e37'79b1, kPlus = 77;  // odd: no two blocks become one
 
 /// Where things are in a twin.

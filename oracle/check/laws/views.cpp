@@ -107,8 +107,8 @@ class ViewsLaw : public Law {
       return seen.mismatch(Mismatch::Kind::views, "the ground changed, and who missed that does not see it");
     // No law says what views tell where ground returns that they took for solid.
     const WholeGround whole = ground(seen);
-    auto wrong = streams_ ? said(beyondCheck.update(world, whole, islands, !hasReturned_))
-                          : islandCheck.update(world, islands);
+    auto wrong =
+        streams_ ? said(beyondCheck.update(world, whole, islands, !hasReturned_)) : islandCheck.update(world, islands);
     if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.changed());
     if (!wrong) wrong = faultOf(hashes, world);
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
