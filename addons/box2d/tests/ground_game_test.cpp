@@ -1,6 +1,6 @@
 // Random games on the ground of a game with Box2D: it is dug, built and undone while bodies and rocks move, its window
-// goes to and fro, and it is saved and loaded. Law 13, with ground that leaves memory; and matter is neither doubled nor
-// lost.
+// goes to and fro, and it is saved and loaded. Law 13, with ground that leaves memory; and matter is neither doubled
+// nor lost.
 #include "crowd.h"
 #include "oracle/calls/random.h"
 #include "proptests/support/law.h"

@@ -142,8 +142,8 @@ LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
  *
  * The lists lead from one lgs_segments_version() to another. A copy of the segments is kept with the version,
  * too. The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were
- * left out, applied twice, or are those of another world. Both are the same if the commit found nothing to do. Where they
- * are not, the lists may be empty: inside the ground polygons come and go without a segment. */
+ * left out, applied twice, or are those of another world. Both are the same if the commit found nothing to do. Where
+ * they are not, the lists may be empty: inside the ground polygons come and go without a segment. */
 typedef struct lgs_changes {
   const lgs_segment_id* removed;  /* alive before, and not any more */
   const lgs_segment_id* added;    /* alive now, and not before */
