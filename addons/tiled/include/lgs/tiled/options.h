@@ -81,8 +81,8 @@ struct Options {
 
   /// The folder in which, or below which, the files lie that the map names. Empty: the map's folder; or, if importMap()
   /// reads from the disk, the project's: projectFolder(). Nothing is read by a name that leads out of it, by an
-  /// absolute one or one without the extension of its kind: a tileset is then as one that is missing, and a map or level is an
-  /// error. So are symbolic links out of it. Errors quote no text of files other than the map's own.
+  /// absolute one or one without the extension of its kind: a tileset is then as one that is missing, and a map or level
+  /// is an error. So are symbolic links out of it. Errors quote no text of files other than the map's own.
   std::string filesIn = {};
 
   /// The map is trusted: the files that it names may lie anywhere that the reader reads, and have any name.
