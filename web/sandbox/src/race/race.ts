@@ -115,7 +115,8 @@ export class Race {
     if (smooth.time === null) return ''
     if (rough.time === null) return `With ghosts ${smooth.time.toFixed(2)} s.`
     const kicks = rough.side.kicks.count
-    const lead = (rough.time - smooth.time).toFixed(2)
-    return `With ghosts it wins by ${lead} s: ${smooth.time.toFixed(2)} to ${rough.time.toFixed(2)}. Without it was kicked ${kicks} ${kicks === 1 ? 'time' : 'times'}.`
+    const [won, lost] = [smooth.time.toFixed(2), rough.time.toFixed(2)]
+    const lead = (Number(lost) - Number(won)).toFixed(2)  // of the times as they are read
+    return `With ghosts it wins by ${lead} s: ${won} to ${lost}. Without it was kicked ${kicks} ${kicks === 1 ? 'time' : 'times'}.`
   }
 }
