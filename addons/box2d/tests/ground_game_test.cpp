@@ -1,6 +1,7 @@
 // Random games on the ground of a game with Box2D: it is dug, built and undone while bodies and rocks move, its window
 // goes to and fro, and it is saved and loaded. Law 13, with ground that leaves memory; and matter is neither doubled
 // nor lost.
+#include "addons/falling/tests/area.h"
 #include "crowd.h"
 #include "oracle/calls/random.h"
 #include "proptests/support/law.h"
@@ -24,20 +25,6 @@ void hillsOn(World& land, const CellRect& chunk) {
   for (std::int32_t i = chunk.min.i; i <= chunk.max.i; ++i)
     for (std::int32_t j = 0; j <= 9; ++j)
       if (j == 0 || (i * 7 + j * 5) % 11 > 1) static_cast<void>(land.add({i, j}, square, j == 0 ? kRock : kEarth));
-}
-
-std::int64_t doubleAreaOf(std::span<const LocalPoint> vertices) {
-  std::int64_t sum = 0;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const LocalPoint a = vertices[k], b = vertices[(k + 1) % vertices.size()];
-    sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-  }
-  return sum;
-}
-std::int64_t doubleAreaOf(const World& world) {
-  std::int64_t sum = 0;
-  world.forEachPolygon([&](Cell, const PlacedPolygon& p) { sum += doubleAreaOf(p.vertices); });
-  return sum;
 }
 
 /// Without the land that was made: what strokes have done.
@@ -103,13 +90,13 @@ class GroundGame {
     EXPECT_TRUE(ground_->save([&](auto more) { bytes.insert(bytes.end(), more.begin(), more.end()); }));
     const auto all = loadGround(bytes, {}, kEverywhere, shelfInMemory());
     EXPECT_TRUE(all);
-    Stuff stuff{doubleAreaOf(all->world), 0, all->rocks.size()};
+    Stuff stuff{test::areaOf(all->world), 0, all->rocks.size()};
     for (const Rock& rock : all->rocks)
-      for (const BodyPolygon& p : rock.ground.polygons) stuff.rocks += doubleAreaOf(p.vertices);
+      for (const BodyPolygon& p : rock.ground.polygons) stuff.rocks += test::areaOf(p.vertices);
     for (const Cell corner : all->land) {
       World land;
       hillsOn(land, chunkAround(corner));
-      stuff.ground -= doubleAreaOf(land);
+      stuff.ground -= test::areaOf(land);
     }
     return stuff;
   }

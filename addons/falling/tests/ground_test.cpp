@@ -1,5 +1,6 @@
 // The ground of a game, without physics: whatever is dug, undone, streamed, saved and loaded, in any order, matter is
 // neither doubled nor lost.
+#include "addons/falling/tests/area.h"
 #include "proptests/support/law.h"
 
 #include <lgs/ground.h>
@@ -33,21 +34,6 @@ GroundOptions options() {
           .staying = [](Block block) { return block == kBedrock; },
           .land = hills,
           .undoSteps = 6};
-}
-
-/// Twice the area of polygons, in lattice units: exact.
-std::int64_t areaOf(std::span<const LocalPoint> vertices) {
-  std::int64_t sum = 0;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const LocalPoint a = vertices[k], b = vertices[(k + 1) % vertices.size()];
-    sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-  }
-  return sum;
-}
-std::int64_t areaOf(const World& world) {
-  std::int64_t sum = 0;
-  world.forEachPolygon([&](Cell, const PlacedPolygon& p) { sum += areaOf(p.vertices); });
-  return sum;
 }
 
 std::vector<std::byte> saved(Ground<>& ground) {
