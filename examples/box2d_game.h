@@ -48,7 +48,7 @@ class Game {
  public:
   Game() : isBuilt_(build(world_)), physics_(world_) {
     for (int k = 0; k < kBodies; ++k) physics_.add({0.8 + 0.62 * k, 5.0 + 0.9 * (k % 5)}, k % 3);
-    marks_ = {world_.checkpoint()};
+    marks_ = {world_.mark()};
   }
 
   /// Returns how many bodies are lost.
@@ -88,7 +88,7 @@ class Game {
     if (!done) return;  // a cell is full to its limits: nothing has changed
     show(world_.commit());
     marks_.resize(++now_);
-    marks_.push_back(world_.checkpoint());
+    marks_.push_back(world_.mark());
     ++edits_;
   }
 
@@ -100,7 +100,7 @@ class Game {
   }
 
   void redo() {
-    if (now_ + 1 == marks_.size() || !world_.rollForward(marks_[now_ + 1])) return;
+    if (now_ + 1 == marks_.size() || !world_.redo(marks_[now_ + 1])) return;
     ++now_;
     ++redone_;
     show(world_.changesOfRollBack());
@@ -108,7 +108,7 @@ class Game {
 
   void load() {
     if (!physics_.load(world_)) return;
-    marks_ = {world_.checkpoint()};  // those of before belong to another world
+    marks_ = {world_.mark()};  // those of before belong to another world
     now_ = 0;
     count();
   }

@@ -15,7 +15,7 @@ inline bool dig(lgs::World& world, lgs::box2d::Terrain& terrain, const lgs::Cell
 /// terrain pushes bodies out of the block.
 inline bool placeIfFree(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cell cell, lgs::ShapeId shape,
                         lgs::Block block) {
-  const lgs::Mark before = world.checkpoint();
+  const lgs::Mark before = world.mark();
   bool isPlaced = false;
   if (world.add(cell, shape, block)) {
     const lgs::Changes& changes = world.commit();
@@ -24,7 +24,7 @@ inline bool placeIfFree(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Ce
   return world.forget(before) && isPlaced;
 }
 
-/// Goes back to a mark. Who stands in a hole that is filled is pushed out, or held until it is free again.
+/// Rolls back to a mark. Who stands in a hole that is filled is pushed out, or held until it is free again.
 inline bool undo(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Mark mark) {
   return world.rollBack(mark) && terrain.sync(world.changesOfRollBack());
 }

@@ -18,7 +18,7 @@ int refused(const lgs::Error& error) {
 int settle(lgs::World& world, const lgs::Body& body) {
   int fallen = 0;
   for (;; ++fallen) {
-    const lgs::Mark here = world.checkpoint();
+    const lgs::Mark here = world.mark();
     const bool fits = put(world, body, {body.origin.i, body.origin.j - fallen - 1}).has_value();
     static_cast<void>(world.rollBack(here));
     static_cast<void>(world.forget(here));

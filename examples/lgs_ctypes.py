@@ -124,9 +124,9 @@ class World:
         self.call("lgs_commit", self.world, byref(changes))
         return lists(changes)
 
-    def checkpoint(self):
+    def mark(self):
         mark = Mark()
-        self.call("lgs_checkpoint", self.world, byref(mark))
+        self.call("lgs_set_mark", self.world, byref(mark))
         return mark
 
     def roll_back(self, mark):

@@ -42,32 +42,32 @@ void editSome(World& world, Random& random) {
 
 std::string undoAndRedo(World& world, Random& random) {
   const World before = world;
-  std::vector<Mark> marks{world.checkpoint()};
+  std::vector<Mark> marks{world.mark()};
   std::vector<World> then{world};
   for (int k = 1 + random.below(3); k > 0; --k) {
     live(world, random);
-    marks.push_back(world.checkpoint());
+    marks.push_back(world.mark());
     then.push_back(world);
   }
   Follower follower(world);
   std::size_t at = marks.size() - 1;
   for (int visits = 1 + random.below(5); visits > 0; --visits) {
     const std::size_t to = random.below(marks.size());
-    const auto done = to <= at ? world.rollBack(marks[to], Undone::keep) : world.rollForward(marks[to]);
+    const auto done = to <= at ? world.rollBack(marks[to], Undone::keep) : world.redo(marks[to]);
     if (!done) return "a mark is lost: " + message(done.error());
     at = to;
     if (std::string wrong = follower.follow(world, world.changesOfRollBack()); !wrong.empty())
-      return "going back and forth: " + wrong;
-    if (std::string wrong = differenceOf(then[at], world); !wrong.empty()) return "going back and forth: " + wrong;
+      return "roll-back and redo: " + wrong;
+    if (std::string wrong = differenceOf(then[at], world); !wrong.empty()) return "roll-back and redo: " + wrong;
     if (random.chance(30) && !saved(world).empty()) world.commit();  // nothing is pending
     if (random.chance(30)) tryInVain(world, random);
     if (!random.chance(30)) continue;
-    // What comes later is as if it had never gone back.
+    // What comes later is as if it had never rolled back.
     World stayed = then[at], left = world;
     Random same = random;
     live(stayed, same);
     live(left, random);
-    if (std::string wrong = differenceOf(stayed, left); !wrong.empty()) return "after going back and forth: " + wrong;
+    if (std::string wrong = differenceOf(stayed, left); !wrong.empty()) return "after roll-back and redo: " + wrong;
   }
   const bool isBack =
       random.chance(50) ? world.rollBack(marks[0]).has_value() : world.rollBack(marks[0], Undone::keep).has_value();

@@ -28,8 +28,7 @@ std::vector<LocalPoint> manyVertices() {
 }
 
 bool refusesMarks(World& world) {
-  return isRefused(world.rollBack({}), ErrorCode::unknownMark) &&
-         isRefused(world.rollForward({}), ErrorCode::unknownMark) &&
+  return isRefused(world.rollBack({}), ErrorCode::unknownMark) && isRefused(world.redo({}), ErrorCode::unknownMark) &&
          isRefused(world.forget({}), ErrorCode::unknownMark);
 }
 
@@ -110,7 +109,7 @@ std::string refuseAll(World& world) {
   if (!refusesShapes(world)) return "a shape that is none is taken";
   if (!refusesNames(world)) return "a name that names nothing is taken";
   if (!refusesRegions(world)) return "a region that is none is taken";
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   if (!isRefused(world.followCells(true), ErrorCode::uncommitted)) return "cells are followed from a mark on";
   if (!isRefused(world.forgetChunks(kAll), ErrorCode::uncommitted)) return "chunks are forgotten while there is a mark";
   if (!world.forget(mark)) return "a mark is lost";

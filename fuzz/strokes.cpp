@@ -199,7 +199,7 @@ Stroke drawStroke(const World& world, Random& random) {
 std::string strokeAndGoBack(World& world, Random& random, bool stays) {
   const World before = world;
   const Stroke stroke = drawStroke(world, random);
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   const auto done = stroke.make(world);
   if (!done) {
     const bool isKnown = done.error().code == ErrorCode::capacity || done.error().code == ErrorCode::outOfReach;

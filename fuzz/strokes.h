@@ -20,7 +20,7 @@ struct Stroke {
 /// One near the ground of a world.
 Stroke drawStroke(const World& world, oracle::Random& random);
 
-/// Makes a stroke, commits it, and goes back and forth across it. Says what breaks a law, if anything does. Afterwards
+/// Makes a stroke, commits it, and rolls back and redoes it. Says what breaks a law, if anything does. Afterwards
 /// the world is as before; or, if it is told to, as after the stroke.
 std::string strokeAndGoBack(World& world, oracle::Random& random, bool stays = false);
 

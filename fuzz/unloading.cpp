@@ -38,7 +38,7 @@ class Beside {
   std::string run() {
     cells_ = someChunks(whole_, random_);
     const World before = part_;
-    const Mark mark = part_.checkpoint();
+    const Mark mark = part_.mark();
     const auto gone = part_.unload(cells_, [&](Cell corner, auto bytes) {
       corners_.push_back(corner);
       chunks_.emplace_back(bytes.begin(), bytes.end());
@@ -50,7 +50,7 @@ class Beside {
       if (std::string wrong = ask(); !wrong.empty()) return wrong;
       if (std::string wrong = editLoaded(); !wrong.empty()) return wrong;
     }
-    if (random_.chance(30)) return goBack(before, mark);
+    if (random_.chance(30)) return rollBack(before, mark);
     if (std::string wrong = random_.chance(25) ? comeEmpty() : comeBack(); !wrong.empty()) return wrong;
     return commit();
   }
@@ -157,20 +157,20 @@ class Beside {
   }
 
   /// Across a mark of before; and forth again.
-  std::string goBack(const World& before, Mark mark) {
+  std::string rollBack(const World& before, Mark mark) {
     part_.commit();
     const World after = part_;
-    const Mark end = part_.checkpoint();
+    const Mark end = part_.mark();
     Follower follower(part_);
     if (!part_.rollBack(mark, Undone::keep)) return "a mark of before the unloading is lost";
     if (std::string wrong = follower.follow(part_, part_.changesOfRollBack()); !wrong.empty()) return wrong;
-    if (part_.firstUnloaded(cells_) != after.firstUnloaded(cells_)) return "to go back loads a chunk";
+    if (part_.firstUnloaded(cells_) != after.firstUnloaded(cells_)) return "to roll back loads a chunk";
     const bool areLoaded = random_.chance(50);
     for (const Chunk& chunk : areLoaded ? chunks_ : std::vector<Chunk>())
-      if (!part_.reload(chunk)) return "after going back the newest bytes are refused";
+      if (!part_.reload(chunk)) return "after a roll-back the newest bytes are refused";
     if (std::string wrong = follower.follow(part_, part_.commit()); !wrong.empty()) return wrong;
     if (areLoaded && !samePolygons(before, part_)) return "back before the edits there are other polygons";
-    if (!part_.rollForward(end)) return "chunks that come and go end the redo";
+    if (!part_.redo(end)) return "chunks that come and go end the redo";
     if (std::string wrong = follower.follow(part_, part_.changesOfRollBack()); !wrong.empty()) return wrong;
     if (areLoaded) return samePolygons(whole_, part_) ? "" : "forward again there are other polygons";
     const std::string wrong = differenceOf(after, part_);

@@ -28,7 +28,7 @@ class Following {
     if (auto wrong = islandCheck_.begin(world_, views_.islands)) return *wrong;
     if (auto wrong = pieceCheck_.begin(world_, views_.pieces)) return *wrong;
     const GroundHashes before = views_.hashes;
-    const Mark mark = world_.checkpoint();
+    const Mark mark = world_.mark();
     for (int days = 1 + random.below(3); days > 0; --days) {
       editSome(world_, random);
       if (std::string wrong = update(world_.commit()); !wrong.empty()) return wrong;
@@ -40,7 +40,7 @@ class Following {
     if (std::string wrong = fall(random); !wrong.empty()) return wrong;
     if (!world_.rollBack(mark, Undone::keep)) return "a mark is lost";
     if (std::string wrong = update(world_.changesOfRollBack()); !wrong.empty()) return wrong;
-    return views_.hashes.hash() == before.hash() ? "" : "what went back has another hash";
+    return views_.hashes.hash() == before.hash() ? "" : "what rolled back has another hash";
   }
 
  private:

@@ -48,7 +48,7 @@ unity=OFF
 [[ $since ]] || unity=ON
 cmake --preset debug -B build/lint -DLGS_BENCH_OTHERS=ON -DCMAKE_UNITY_BUILD="$unity" \
   -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
-cmake --build build/lint --target readme_example readme_dig readme_going_back >/dev/null  # sources that the build makes
+cmake --build build/lint --target readme_example readme_dig readme_rollback >/dev/null  # sources that the build makes
 compiled=$(python3 -c 'if 1:
   import json
   print(*sorted({entry["file"] for entry in json.load(open("build/lint/compile_commands.json"))}), sep="\n")')

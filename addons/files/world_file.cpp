@@ -129,7 +129,7 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
   if (isEmpty(cells)) return {};
   sqlite3* const file = file_.get();
   if (!run(file, "BEGIN IMMEDIATE")) return failure(file);
-  const auto goBack = [file] {
+  const auto rollBack = [file] {
     tl::unexpected<std::string> why = failure(file);
     run(file, "ROLLBACK");
     return why;
@@ -140,7 +140,7 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
   while (select.step())
     there[{static_cast<std::int32_t>(select.number(0)), static_cast<std::int32_t>(select.number(1))}] =
         static_cast<std::uint64_t>(select.number(2));
-  if (!select.isDone()) return goBack();
+  if (!select.isDone()) return rollBack();
   Statement put(file, "INSERT OR REPLACE INTO chunk VALUES (?1, ?2, ?3, ?4)");
   for (const lgs::HashedSquare& chunk : hashes.hashes(cells)) {
     const auto found = there.find(chunk.cells.min);
@@ -154,7 +154,7 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
     put.bind(3, static_cast<std::int64_t>(chunk.hash));
     put.bind(4, bytes);
     put.step();
-    if (!put.isDone()) return goBack();
+    if (!put.isDone()) return rollBack();
     put.reset();
   }
   Statement remove(file, "DELETE FROM chunk WHERE i = ?1 AND j = ?2");
@@ -163,10 +163,10 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
     remove.bind(1, corner.i);
     remove.bind(2, corner.j);
     remove.step();
-    if (!remove.isDone()) return goBack();
+    if (!remove.isDone()) return rollBack();
     remove.reset();
   }
-  if (!run(file, "COMMIT")) return goBack();
+  if (!run(file, "COMMIT")) return rollBack();
   return {};
 }
 

@@ -47,7 +47,7 @@ std::vector<Point> centersIn(const Tiles& tiles, std::size_t count) {
 /// Does the work, and undoes it.
 template <class Work>
 void timeIn(World& world, Times& times, Work&& work) {
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   times.add(timeOf([&] {
     work();
     world.commit();

@@ -80,7 +80,7 @@ void carveWithPieces(benchmark::State& state, const Tiles& tiles, std::size_t ed
     for (std::size_t k = 0; k < edits; ++k) {
       const std::int64_t x = coordinate(tiles.width);
       const Region hole = circle({x, coordinate(tiles.height)}, kHole * kUnitsPerCell, 32);
-      const Mark mark = world.checkpoint();
+      const Mark mark = world.mark();
       const Changes* changes = nullptr;
       carved.add(timeOf([&] {
         if (!carve(world, hole)) throw std::logic_error("a hole is refused");

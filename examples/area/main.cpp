@@ -45,7 +45,7 @@ int main() {
   view.update(world.cellChanges());
   print("a shaft", world, view);
 
-  const lgs::Mark mark = world.checkpoint();
+  const lgs::Mark mark = world.mark();
   if (const auto done = world.clear(lgs::Cell{50, 96}); !done) return refused(done.error());
   world.commit();
   view.update(world.cellChanges());

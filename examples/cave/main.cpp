@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     drawPieces(file, miner.pieces, kCave, miner.way);
   }
 
-  const lgs::Mark mark = world.checkpoint();
+  const lgs::Mark mark = world.mark();
   const lgs::Region door = lgs::rectangle(at(24, 11), {0, 1}, 3 * lgs::kUnitsPerCell, lgs::kUnitsPerCell / 8);
   if (const auto done = paint(world, door, kWall, lgs::PaintMode::fill); !done) return refused(done.error());
   miner.look("a wall is built", world.commit());

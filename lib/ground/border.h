@@ -56,7 +56,7 @@ struct Border {
   std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
   std::uint32_t lastSerial = 0;  ///< the greatest one that a cell gave out of which neither `kept` nor the rim says it
   bool isAwake = true;           ///< the Chunk has the cells at the rim; otherwise `runs` has them
-  bool bytesAreStale = false;    ///< the world went back or forward since: of the cells in `kept` the bytes are wrong
+  bool bytesAreStale = false;    ///< a roll-back or redo came since: of the cells in `kept` the bytes are wrong
   std::vector<Run> runs;
   std::vector<Kept> kept;  ///< by cell: those that there are notes of, and maybe some of before
 

@@ -1,4 +1,4 @@
-// Edits that take many at once. All are made or none: the ground goes back if one is refused.
+// Edits that take many at once. All are made or none: the ground rolls back if one is refused.
 #include "ground/edit.h"
 #include "ground/refusal.h"
 

@@ -65,7 +65,7 @@ std::string what(const Error& e) {
     case ErrorCode::unknownSegment:
       return "segment " + number(e.segment.value) + " is not alive; it was removed, or never existed";
     case ErrorCode::unknownMark:
-      return "this world has no such mark; it was forgotten, or the world went back to a moment before it";
+      return "this world has no such mark; it was forgotten, or the world rolled back to a moment before it";
     case ErrorCode::uncommitted:
       return "the world has edits that are not committed; commit them first (to follow or to forget cells, let go of "
              "marks, too)";

@@ -63,9 +63,9 @@ class Ground : public Cells {
     touch(at, shape.facts);
   }
 
-  // --- Going back and forward (going_back.cpp)
+  // --- Roll-back and redo (roll_back.cpp)
 
-  /// One for all things that can go back: of the outline, too.
+  /// One for all things that can roll back: of the outline, too.
   Journal journal;
   /// A note of the ground and the ground exchange what they hold. Which cells have changed is not touched.
   void exchange(Note& note);
@@ -81,7 +81,7 @@ class Ground : public Cells {
   void forEachNotedContent(const std::function<void(ContentId)>& visit) const;
   /// Undoes the edits since a moment. No commit has found something since.
   void takeBack(Journal::Moment moment);
-  /// Nobody goes back to a moment any more.
+  /// The mark of a moment goes.
   void letGo(Journal::Moment moment) {
     journal.letGo(moment, [this](const Note& note) { drop(note); });
   }
@@ -94,7 +94,7 @@ class Ground : public Cells {
   // --- Chunks that are not in memory (unloaded.cpp)
 
   /// Forgets the chunks that lie in a rectangle as a whole and hold nothing, and the unloaded ones that no loaded one
-  /// is beside. Returns their numbers. Nobody goes back, and nothing has changed since the last commit.
+  /// is beside. Returns their numbers. There is no mark, and nothing has changed since the last commit.
   std::vector<std::uint32_t> forgetChunks(const CellRect& cells);
   /// The loaded chunks, or the unloaded ones, that lie in a rectangle as a whole: their numbers, by rows.
   std::vector<std::uint32_t> chunksWithin(const CellRect& cells, bool areUnloaded) const;
@@ -109,7 +109,7 @@ class Ground : public Cells {
   void bringBack(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
     lay(at, wordFor(content, lastSerial, polygons), polygons.empty() ? 0 : polygons[0].block);
   }
-  /// An unloaded chunk comes back, and holds nothing, now and whenever the world goes back or forward to. No serial of
+  /// An unloaded chunk comes back, and holds nothing, now and whatever a roll-back or redo leads to. No serial of
   /// before is given out again.
   void loadEmpty(std::uint32_t number);
   /// What a cell holds that there is a note of, also if it is unloaded.

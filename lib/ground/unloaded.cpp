@@ -3,7 +3,7 @@
 //
 // Of an unloaded chunk the border stays known (border.h). While a loaded chunk is beside it, its cells at the rim hold
 // what they held, so that a commit can show and link them as ever: what is loaded gets the segments and ghosts that it
-// has in the whole world (law 14). Otherwise it is asleep. Going back changes what a cell is, loaded or not: of each
+// has in the whole world (law 14). Otherwise it is asleep. A roll-back changes what a cell is, loaded or not: of each
 // cell that there is a note of the border keeps what it is, and not what the bytes say.
 //
 // What is to be done goes into lists of work (ground.h). The next commit does it all, in the order of places.
@@ -228,7 +228,7 @@ void Ground::putRimToSleep(std::uint32_t number) {
   shrink(border.runs);
 }
 
-/// Kept cells that nobody can go back to any more are as the bytes say, unless the world went back since.
+/// Kept cells of which no note is left are as the bytes say, unless the world rolled back since.
 void Ground::trim(std::uint32_t number) {
   Border& border = *grid.border(number);
   if (border.kept.empty() || border.bytesAreStale) return;
@@ -261,7 +261,7 @@ void Ground::doStreaming() {
     if (grid.border(number)) trim(number);
 }
 
-/// The outline of a chunk changes by what is loaded, and is another one after going back beyond that.
+/// The outline of a chunk changes by what is loaded, and is another one after a roll-back beyond that.
 void Ground::noteStreamed(std::uint32_t number) {
   if (journal.isOn() && !journal.isNoted(Thing::streamed, number)) journal.add(Thing::streamed, number);
 }

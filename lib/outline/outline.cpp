@@ -1,4 +1,4 @@
-// What the outline keeps. commit.cpp has the algorithm, and going_back.cpp what marks need.
+// What the outline keeps. commit.cpp has the algorithm, and roll_back.cpp what marks need.
 #include "outline/outline.h"
 
 #include "outline/fetch.h"

@@ -80,7 +80,7 @@ class Outline {
     if (journal_) [[unlikely]]
       noteSegment(id);
   }
-  /// Whether there is a moment to go back to from before the update under way.
+  /// Whether there is a moment to roll back to from before the update under way.
   bool isNoting() const { return journal_ != nullptr; }
   /// The segments that phase 1 added were not alive before.
   void noteAdded();
@@ -92,7 +92,7 @@ class Outline {
   /// Ids for as many new segments, in the order in which create() would take them.
   std::span<const SegmentId> createIds(std::size_t count);
 
-  // --- Going back and forward (going_back.cpp)
+  // --- Roll-back and redo (roll_back.cpp)
 
   /// Beside the notes a moment has this.
   struct State {
@@ -133,7 +133,7 @@ class Outline {
   HiddenChunks hidden_;
   Versions versions_;
   std::uint64_t version_ = 0;
-  Journal* journal_ = nullptr;  ///< of the update under way, if there is a moment to go back to
+  Journal* journal_ = nullptr;  ///< of the update under way, if there is a moment to roll back to
   // Working memory. It is kept from one update to the next, to spare allocations.
   std::vector<std::uint32_t> ids_;
   std::vector<Spoke> fan_;

@@ -85,7 +85,7 @@ class SegmentPool {
   /// The ids that are available. The last one is taken next.
   std::span<const std::uint32_t> free() const { return std::span(free_).first(freeCount_); }
 
-  // --- Going back and forward. An id that was taken stays in its place in the list of free ids, until another one that
+  // --- Roll-back and redo. An id that was taken stays in its place in the list of free ids, until another one that
   // is recycled is written there. If such a place is noted before, a length brings the list of another time back.
 
   struct Length {

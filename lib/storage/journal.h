@@ -1,7 +1,7 @@
-// The one journal of a world: what things held before they changed, so that the world can go back to a *moment*, and
+// The one journal of a world: what things held before they changed, so that the world can roll back to a *moment*, and
 // forward again.
 //
-// A thing is a cell, a list of segments, and so on: a kind and a key. The world never goes back to between two moments
+// A thing is a cell, a list of segments, and so on: a kind and a key. The world never rolls back to between two moments
 // that follow each other, so each thing is noted once between them, before its first change. Whether that is so already is a
 // comparison of numbers: moments are numbered, and of each thing it is known after which one it was noted last. A note
 // keeps the number that it displaced.
@@ -59,12 +59,12 @@ class Journal {
   /// The number of a moment. Later ones have greater numbers, and so have those of a copy.
   using Moment = std::uint64_t;
 
-  /// Whether there is a moment to go back to, so that what changes is to be noted.
+  /// Whether there is a moment to roll back to, so that what changes is to be noted.
   bool isOn() const { return latest_ != 0; }
 
   // --- Moments
 
-  /// Now, as a moment to go back to until letGo().
+  /// Now, as a moment to roll back to until letGo().
   Moment begin();
   /// One user more for a moment that is there.
   void hold(Moment moment) { ++places_[indexOf(moment)].users; }
@@ -120,7 +120,7 @@ class Journal {
     if (reference != 0) words_.release(reference, 1 + *words_.at(reference));
   }
 
-  // --- Going back and forward
+  // --- Roll-back and redo
 
   /// Calls exchange(note) for each note since a moment, the last one first. They are kept, with the moments in between,
   /// or dropped: then nothing holds these moments.

@@ -67,7 +67,7 @@ void History::forget(Mark mark) {
   letGo(gone);
 }
 
-// --- Going back
+// --- Roll-back
 
 void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   assert(knows(mark));
@@ -95,7 +95,7 @@ void History::dropLaterMarks(Mark mark, Undone undone) {
   }
 }
 
-/// Whether what is ahead stays: the world goes back no further than to where it went, or goes further from there and
+/// Whether what is ahead stays: the world rolls back no further than to where it went, or goes further from there and
 /// keeps that, too.
 bool History::keepsAhead(const Marked& to, Undone undone) const {
   if (ahead_.empty()) return false;
@@ -111,7 +111,7 @@ void History::setRedo(const Marked& to) {
   ground_.journal.hold(redoFrom_);
 }
 
-/// Whether nothing was edited since the world went back or forward, nor a shape made.
+/// Whether nothing was edited since the last roll-back or redo, nor a shape made.
 bool History::isUnedited() const {
   const auto isOfEdit = [](const Note& note) { return note.thing == Thing::cell || note.thing == Thing::chunk; };
   return ground_.catalogue.shapeCount() == redoShapes_ &&
@@ -122,7 +122,7 @@ bool History::isAhead(Mark mark) const {
   return std::ranges::find(ahead_, mark, &Marked::mark) != ahead_.end() && isUnedited();
 }
 
-void History::rollForward(Mark mark, Changes& changes) {
+void History::redo(Mark mark, Changes& changes) {
   assert(isAhead(mark));
   for (; !marks_.empty() && marks_.back().mark > redoMark_; marks_.pop_back()) letGo(marks_.back());
   do {
@@ -175,7 +175,7 @@ void History::tell(const Marked& to, Go&& go) {
   ground_.letGo(std::exchange(committed_, to.committed));
 }
 
-/// Undoes the commits since the world went back or forward. Nothing was edited since, but edits that were pending may
+/// Undoes the commits since the last roll-back or redo. Nothing was edited since, but edits that were pending may
 /// have been told.
 void History::returnToRedo() {
   if (committed_ > redoFrom_) {

@@ -1,10 +1,10 @@
-// Commits, the marks of a world, and going back to them. Ground and outline note in one journal what they held, and a
+// Commits, the marks of a world, and roll-backs to them. Ground and outline note in one journal what they held, and a
 // mark is a moment of that, with what is small enough to be kept as it is. What was undone can be kept. Then the marks
-// that the world went back beyond are kept, too, and it can go forward to them until something is edited.
+// that the world rolled back beyond are kept, too, and redo leads to them until something is edited.
 //
-// Which chunks are in memory is no part of that. Once the world has gone back or forward, the outline is that of then,
+// Which chunks are in memory is no part of that. After a roll-back or redo, the outline is that of then,
 // with the chunks that were loaded then. Those streamed since are renewed, as in a commit: at once, unless edits are
-// pending there, which the next commit shows with them. Commits since the world went back are undone before it goes
+// pending there, which the next commit shows with them. Commits since the world rolled back are undone before it goes
 // forward.
 //
 // A commit that finds nothing to do is none: it ends no group.
@@ -36,19 +36,19 @@ class History {
 
   // --- Marks
 
-  /// The mark of a group of edits is known to the group alone, which does not go back to it after a commit.
+  /// The mark of a group of edits is known to the group alone, which does not roll back to it after a commit.
   enum class Of : std::uint8_t { game, group };
   Mark mark(Of of = Of::game);
   bool knows(Mark mark, Of of = Of::game) const { return find(mark) != marks_.end() && find(mark)->of == of; }
-  /// Whether rollForward() leads there.
+  /// Whether redo() leads there.
   bool isAhead(Mark mark) const;
   bool hasMarks() const { return !marks_.empty(); }
 
   /// The mark must be known. It stays, and later ones are void. `changes` receives what this does to the segments.
   void rollBack(Mark mark, Undone undone, Changes& changes);
-  /// The mark must be ahead. Marks that were made since the world went back are void.
-  void rollForward(Mark mark, Changes& changes);
-  /// Goes back to the mark of a group, in silence. It must be known, and no commit may have found something since: the
+  /// The mark must be ahead. Marks that were made since the world rolled back are void.
+  void redo(Mark mark, Changes& changes);
+  /// Rolls back to the mark of a group, in silence. It must be known, and no commit may have found something since: the
   /// segments are as they were.
   void takeBack(Mark mark);
   /// The mark must be known.
@@ -84,7 +84,7 @@ class History {
   void comesBack(std::uint32_t chunk) {
     if (committed_ != 0) cellChanges_.comesBack(chunk);
   }
-  /// What the last commit, rollBack() or rollForward() changed, while the ground is followed.
+  /// What the last commit, rollBack() or redo() changed, while the ground is followed.
   const CellChanges& cellChanges() const { return cellChanges_; }
 
   std::uint64_t bytes() const;
@@ -126,7 +126,7 @@ class History {
   Outline& outline_;
   Versions numbers_;
   std::vector<Marked> marks_;  ///< in the order in which they were made
-  std::vector<Marked> ahead_;  ///< that the world went back beyond, the next one last
+  std::vector<Marked> ahead_;  ///< that the world rolled back beyond, the next one last
   // The mark that the last kept roll-back, or redo, led to, if any are ahead.
   Moment redoFrom_ = 0;
   Mark redoMark_;

@@ -1,4 +1,4 @@
-// What a World is made of: the ground, its outline, and how far both can go back.
+// What a World is made of: the ground, its outline, and how far both can roll back.
 #pragma once
 
 #include "ground/edit.h"

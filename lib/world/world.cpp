@@ -221,9 +221,9 @@ const Changes& World::commit(const Executor& executor) noexcept {
   return impl_->outline.changes();
 }
 
-// --- Going back
+// --- Roll-back
 
-Mark World::checkpoint() noexcept { return impl_->history.mark(); }
+Mark World::mark() noexcept { return impl_->history.mark(); }
 
 Expected<void> World::rollBack(Mark mark, Undone undone) noexcept {
   if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
@@ -231,9 +231,9 @@ Expected<void> World::rollBack(Mark mark, Undone undone) noexcept {
   return {};
 }
 
-Expected<void> World::rollForward(Mark mark) noexcept {
+Expected<void> World::redo(Mark mark) noexcept {
   if (!impl_->history.isAhead(mark)) return refuse({.code = ErrorCode::unknownMark});
-  impl_->history.rollForward(mark, impl_->changesOfRollBack);
+  impl_->history.redo(mark, impl_->changesOfRollBack);
   return {};
 }
 
@@ -258,7 +258,7 @@ void Transaction::keep() noexcept {
 Transaction::~Transaction() noexcept {
   if (!mark_) return;  // kept
   detail::History& history = world_->impl_->history;
-  if (!history.knows(mark_, detail::History::Of::group)) return;  // the world went back to a moment before it
+  if (!history.knows(mark_, detail::History::Of::group)) return;  // the world rolled back to a moment before it
   if (!history.committedSince(mark_)) history.takeBack(mark_);
   history.forget(mark_);
 }

@@ -66,13 +66,13 @@ struct Call {
     clear,        ///< clear(), of a cell or of a rectangle
     group,        ///< edits in a transaction
     commit,       ///< commit(), with an executor or without
-    mark,         ///< checkpoint()
-    goBack,       ///< rollBack() to one of the marks
+    mark,         ///< mark()
+    rollBack,     ///< rollBack() to one of the marks
     forget,       ///< forget() one of the marks
     leave,        ///< forgetChunks() in a rectangle
     copy,         ///< the world is replaced by its copy
     load,         ///< commit(), then the world is replaced by the one that it is saved as
-    goForward,    ///< rollForward() to one of the marks that are ahead
+    redo,         ///< redo() to one of the marks that are ahead
     unload,       ///< unload() the chunks in a rectangle
     reload,       ///< reload() what was unloaded in a rectangle
     reloadEmpty,  ///< reloadEmpty()
@@ -92,7 +92,7 @@ struct Call {
   enum class Keeps : std::uint8_t { never, always, ifAll };
   std::vector<Call> group = {};  ///< the parts of a group, and of what is repeated
   Keeps keeps{};                 ///< the group; ifAll: unless a part is refused, and then that is the last one.
-                                 ///< Of goBack: whether what is undone is kept
+                                 ///< Of rollBack: whether what is undone is kept
   std::uint32_t nth = 0;         ///< of the marks, modulo how many there are; of an executor; in which order chunks
                                  ///< come back; how often something is repeated; whether to follow, if it is odd
   BrushEdit brush = {};
@@ -140,7 +140,7 @@ struct Call {
 struct KindOfCall {
   enum Has : unsigned {
     edit = 1,       ///< it may stand in a group
-    time = 2,       ///< it goes back or forward, or stands for others: it is no edit
+    time = 2,       ///< a roll-back or redo, or stands for others: it is no edit
     one = 4,        ///< one thing comes
     many = 8,       ///< any number of them
     shapes = 16,    ///< what comes is shapes, which are made first

@@ -137,13 +137,13 @@ Outcome Caller::makeResolved(const Call& call) {
       out.changes = copyOf(*changes);
       break;
     case Call::Kind::mark:
-      timeline_.mark({world.checkpoint(), given});
+      timeline_.mark({world.mark(), given});
       return out;
-    case Call::Kind::goBack:
-      if (timeline_.hasMarks()) goBack(call, out);
+    case Call::Kind::rollBack:
+      if (timeline_.hasMarks()) rollBack(call, out);
       return out;
-    case Call::Kind::goForward:
-      if (timeline_.hasAhead()) goForward(call, out);
+    case Call::Kind::redo:
+      if (timeline_.hasAhead()) redo(call, out);
       return out;
     case Call::Kind::forget:
       if (!timeline_.hasMarks()) return out;
@@ -278,7 +278,7 @@ bool Caller::makeGroup(const Call& call, const std::function<bool(const Call&)>&
   return keeps;
 }
 
-void Caller::goBack(const Call& call, Outcome& out) {
+void Caller::rollBack(const Call& call, Outcome& out) {
   const bool keeps = call.keeps != Call::Keeps::never;
   if (!isDone(world.rollBack(timeline_.at(call.nth).mark, keeps ? Undone::keep : Undone::drop), out)) return;
   changes = &world.changesOfRollBack();
@@ -286,8 +286,8 @@ void Caller::goBack(const Call& call, Outcome& out) {
   given = timeline_.back(call.nth, keeps).given;
 }
 
-void Caller::goForward(const Call& call, Outcome& out) {
-  if (!isDone(world.rollForward(timeline_.ahead(call.nth).mark), out)) return;
+void Caller::redo(const Call& call, Outcome& out) {
+  if (!isDone(world.redo(timeline_.ahead(call.nth).mark), out)) return;
   changes = &world.changesOfRollBack();
   out.changes = copyOf(*changes);
   given = timeline_.forward(call.nth).given;

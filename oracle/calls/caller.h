@@ -30,7 +30,7 @@ struct Outcome {
   std::vector<PolygonHandle> told;     ///< handles that the call returned, or wrote to where it was told to
   std::vector<PolygonHandle> handles;  ///< of all that it placed
   std::uint64_t count = 0;             ///< that it returned
-  ChangeLists changes;                 ///< of a commit, or of going back or forward
+  ChangeLists changes;                 ///< of a commit, or of a roll-back or redo
   std::vector<Cell> chunks;            ///< that came back, by their lower-left cells
   BrushResult brushed;                 ///< of a brush
   std::vector<Outcome> parts;          ///< of a group
@@ -62,7 +62,7 @@ class Caller {
   /// Makes the shapes that a resolved call makes, up to one that is refused, and nothing else. Whether all are made.
   bool makeShapes(const Call& call);
 
-  /// Of the last commit, or of going back or forward: valid until the next one.
+  /// Of the last commit, or of a roll-back or redo: valid until the next one.
   const Changes* changes = nullptr;
 
   /// The world may be edited beside; then nothing is remembered of it.
@@ -83,8 +83,8 @@ class Caller {
   void addMany(const Call& call, Outcome& out);
   void exchange(const Call& call, Outcome& out);
   void fill(const Call& call, Outcome& out);
-  void goBack(const Call& call, Outcome& out);
-  void goForward(const Call& call, Outcome& out);
+  void rollBack(const Call& call, Outcome& out);
+  void redo(const Call& call, Outcome& out);
   void load(Outcome& out);
   void unload(const Call& call, Outcome& out);
   void reload(const Call& call, Outcome& out);

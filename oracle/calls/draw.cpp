@@ -85,7 +85,7 @@ class Drawer {
     }
     call.room = choices_.below(4U);
     call.nth = choices_.below(16U);
-    if (kind == Kind::goBack && habits_.weights[static_cast<std::size_t>(Kind::goForward)] > 0)
+    if (kind == Kind::rollBack && habits_.weights[static_cast<std::size_t>(Kind::redo)] > 0)
       call.keeps = choices_.chance(60) ? Call::Keeps::always : Call::Keeps::never;
     if (kind == Kind::commit) call.nth = 0;
     return tidied(std::move(call));
@@ -197,13 +197,13 @@ LocalPoint drawPoint(Random& choices, std::int32_t lines) {
 }  // namespace
 
 Habits withMarks(Habits habits) {
-  for (const Kind kind : {Kind::mark, Kind::goBack, Kind::forget}) habits.weights[static_cast<std::size_t>(kind)] = 6;
+  for (const Kind kind : {Kind::mark, Kind::rollBack, Kind::forget}) habits.weights[static_cast<std::size_t>(kind)] = 6;
   return habits;
 }
 
 Habits withRedo(Habits habits) {
   habits = withMarks(std::move(habits));
-  habits.weights[static_cast<std::size_t>(Kind::goForward)] = 4;
+  habits.weights[static_cast<std::size_t>(Kind::redo)] = 4;
   return habits;
 }
 

@@ -21,7 +21,7 @@ struct Habits {
 };
 
 Habits withMarks(Habits habits);
-Habits withRedo(Habits habits);  ///< and marks; going back may keep what is undone
+Habits withRedo(Habits habits);  ///< and marks; a roll-back may keep what is undone
 Habits withLoads(Habits habits);
 
 Call drawCall(Random& choices, const Habits& habits);

@@ -31,7 +31,7 @@ Call tidied(Call call) {
   if (!has(call.kind, KindOfCall::rect) && call.kind != exchange) call.cells = {};
   if (call.kind == exchange) call.cells.max = call.cells.min;
   if (!has(call.kind, KindOfCall::number)) call.nth = 0;
-  if (call.kind != group && call.kind != goBack) call.keeps = {};
+  if (call.kind != group && call.kind != rollBack) call.keeps = {};
   for (Coming& c : call.comes) {
     if (!has(call.kind, KindOfCall::cell)) c.cell = {};
     if (call.kind == setBlock) c.shape = {};

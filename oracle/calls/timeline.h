@@ -1,4 +1,4 @@
-// The marks of a world in order, and something that is kept for each: by the rules of rollBack() and rollForward().
+// The marks of a world in order, and something that is kept for each: by the rules of rollBack() and redo().
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace lgs::oracle {
 
-/// Whether the world can go forward: commits, and chunks that come and go, do not matter. *Maybe* is where the documents
+/// Whether the world can redo: commits, and chunks that come and go, do not matter. *Maybe* is where the documents
 /// leave it open: after an edit that changed nothing, or that was undone.
 enum class Redo : std::uint8_t { no, maybe, sure };
 
@@ -50,7 +50,7 @@ class Timeline {
     return marks_.back();
   }
 
-  /// Marks made since it went back are void, and those on the way are behind.
+  /// Marks made since it rolled back are void, and those on the way are behind.
   const T& forward(std::uint32_t nth) {
     const std::size_t to = nth % ahead_.size();
     marks_.resize(went_ + 1);
@@ -89,7 +89,7 @@ class Timeline {
  private:
   std::vector<T> marks_;
   std::vector<T> ahead_;  // the next one last
-  std::size_t went_ = 0;  // the mark that it went back or forward to
+  std::size_t went_ = 0;  // the mark of the last roll-back or redo
   Redo redo_ = Redo::no;
 };
 

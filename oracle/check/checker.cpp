@@ -73,8 +73,8 @@ class Check {
     const Judged judged = call.kind == Call::Kind::group ? Judged{call, {}} : seen_.library->player().judge(call);
     const Verdict& verdict = judged.verdict;
     seen_.stats.full += !verdict.accepted && verdict.code == ErrorCode::capacity ? 1 : 0;
-    const bool isNowhere = (call.kind == Call::Kind::goBack && !model.hasMarks()) ||
-                           (call.kind == Call::Kind::goForward && !model.hasAhead());
+    const bool isNowhere = (call.kind == Call::Kind::rollBack && !model.hasMarks()) ||
+                           (call.kind == Call::Kind::redo && !model.hasAhead());
     for (const auto& law : laws_) law->before(seen_, judged);
     seen_.willChange();
     const auto done = seen_.library->apply(judged);
@@ -82,7 +82,7 @@ class Check {
     seen_.wasAway = seen_.wasAway || !model.isWhole();
     seen_.isAnywhere = seen_.isAnywhere || (done && !isEdit(call.kind));
     seen_.edited.merge(seen_.library->player().takeEdited());
-    const bool travels = done && (call.kind == Call::Kind::goBack || call.kind == Call::Kind::goForward);
+    const bool travels = done && (call.kind == Call::Kind::rollBack || call.kind == Call::Kind::redo);
     const auto look = [&](Law& law) {
       auto found = law.after(seen_, judged, !done);
       return found || !travels ? found : law.afterTravel(seen_);

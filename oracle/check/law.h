@@ -93,7 +93,7 @@ class Law {
   /// A call that is no commit, of this library's engine: before it, with what must come of it; and after it.
   virtual void before(Seen&, const Judged&) {}
   virtual Found after(Seen&, const Judged&, bool /*isRefused*/) { return std::nullopt; }
-  /// It has gone back or forward: Seen::library->changes() says what that did to the segments.
+  /// After a roll-back or redo: Seen::library->changes() says what that did to the segments.
   virtual Found afterTravel(Seen&) { return std::nullopt; }
   virtual Found afterCommit(Seen&) { return std::nullopt; }
   /// After some commits, and at the end: what takes long.

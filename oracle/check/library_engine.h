@@ -34,7 +34,7 @@ class LibraryEngine : public Engine {
   /// By which executor the next commit is made (caller.h).
   void useExecutor(std::uint32_t number) { executor_ = number; }
 
-  /// Of the last commit, or of going back or forward.
+  /// Of the last commit, or of a roll-back or redo.
   const Changes& changes() const { return *changes_; }
 
   Player& player() { return *player_; }

@@ -66,9 +66,9 @@ void Editor::travel(Cell cell) {
   switch (random_.below(12)) {
     case 0:
     case 1:
-      return model_.hasMarks() && random_.chance(40) ? time(goBack, nth, keeps) : time(mark);
+      return model_.hasMarks() && random_.chance(40) ? time(rollBack, nth, keeps) : time(mark);
     case 2:
-      return time(goForward, nth);
+      return time(redo, nth);
     case 3:
       return time(forget, nth);
     case 4:
@@ -89,8 +89,8 @@ void Editor::travel(Cell cell) {
       someEdits(3);
       if (random_.chance(60)) time(commit);
       if (random_.chance(20)) time(mark);
-      time(goBack, static_cast<std::uint32_t>(model_.marks()) - 1, keeps);
-      if (keeps && random_.chance(50)) time(goForward, nth);
+      time(rollBack, static_cast<std::uint32_t>(model_.marks()) - 1, keeps);
+      if (keeps && random_.chance(50)) time(redo, nth);
       return random_.chance(70) ? time(forget, nth) : void();
     default:  // undo and redo, step by step
       for (int k = 2 + random_.below(2); k > 0; --k) {
@@ -98,10 +98,10 @@ void Editor::travel(Cell cell) {
         someEdits(2);
         if (random_.chance(70)) time(commit);
       }
-      time(goBack, random_.chance(50) ? nth : static_cast<std::uint32_t>(model_.marks()) - 1, true);
+      time(rollBack, random_.chance(50) ? nth : static_cast<std::uint32_t>(model_.marks()) - 1, true);
       if (random_.chance(60)) {  // what is ahead stays, or goes
         const bool goesOn = random_.chance(50);
-        time(goBack, random_.below(8U), goesOn);
+        time(rollBack, random_.below(8U), goesOn);
       }
       if (random_.chance(30)) someEdits(1);
       for (int k = habits_.memory > 0 ? random_.below(3) : 0; k > 0; --k) {
@@ -110,7 +110,7 @@ void Editor::travel(Cell cell) {
         if (which == 2) turn(reloadEmpty, cell);
       }
       if (random_.chance(30)) time(commit);
-      time(goForward, random_.below(2U));
+      time(redo, random_.below(2U));
       if (habits_.memory > 0 && random_.chance(40)) turn(reloadEmpty, cell);
       if (random_.chance(40)) make(squareAt(cell));
       return random_.chance(50) ? time(commit) : void();
@@ -155,8 +155,8 @@ void Editor::remember(Cell cell) {
     gone.cells = {cell, cell};
     make(random_.chance(50) ? std::move(gone) : squareAt(cell));
   };
-  const auto goBackToLast = [&] {
-    Call back = Call::of(goBack);
+  const auto rollBackToLast = [&] {
+    Call back = Call::of(rollBack);
     back.nth = static_cast<std::uint32_t>(model_.marks()) - 1;
     make(std::move(back));
   };
@@ -177,7 +177,7 @@ void Editor::remember(Cell cell) {
       turn(reloadEmpty, cell);
       if (random_.chance(40)) {
         if (!isMarked) make(Call::of(mark));
-        goBackToLast();
+        rollBackToLast();
       }
       if (random_.chance(60)) make(squareAt(cell));
       commits();
@@ -258,7 +258,7 @@ void Editor::remember(Cell cell) {
         make(Call::of(mark));
         edit();
         turn(unload, cell);
-        goBackToLast();
+        rollBackToLast();
       }
       forgetMarks();
       turn(unload, cell);

@@ -86,11 +86,11 @@ TEST_F(CheckModel, WhatIsPendingIsKnownOrNot) {
 }
 
 TEST_F(CheckModel, AnEditEndsRedo) {
-  Call back = Call::of(Kind::goBack);
+  Call back = Call::of(Kind::rollBack);
   back.keeps = Call::Keeps::always;
   for (const Call& call : {Call::of(Kind::mark), square("c", {1, 0}), Call::commit(), Call::of(Kind::mark), back})
     EXPECT_TRUE(model_.play(call));
-  const auto verdict = [&] { return model_.judge(Call::of(Kind::goForward)); };
+  const auto verdict = [&] { return model_.judge(Call::of(Kind::redo)); };
   EXPECT_TRUE(verdict().accepted);
   EXPECT_TRUE(model_.play(Call::remove("a")));
   EXPECT_FALSE(verdict().accepted || verdict().isOpen);

@@ -67,7 +67,7 @@ TEST(CheckCalls, AGroupIsKeptOrNot) {
 TEST(CheckCalls, TheWorldIsThatOfItsPast) {
   Player player({});
   for (const Call& call : {Call::of(Call::Kind::mark), square("a", {0, 0}), Call::commit(),
-                           Call::of(Call::Kind::goBack), square("b", {1, 0}), Call::commit(), square("c", {1, 0})})
+                           Call::of(Call::Kind::rollBack), square("b", {1, 0}), Call::commit(), square("c", {1, 0})})
     static_cast<void>(player.apply(call));
   EXPECT_EQ(player.past().size(), 3U);
   EXPECT_EQ(wrongPast(player), "");

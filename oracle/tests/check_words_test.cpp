@@ -51,7 +51,7 @@ TEST(CheckWords, SharesOfCalls) {
   CheckStats stats;
   EXPECT_EQ(callsInWords(stats), "");
   stats.made[static_cast<std::size_t>(Call::Kind::add)] = 1;
-  stats.made[static_cast<std::size_t>(Call::Kind::goBack)] = 3;
+  stats.made[static_cast<std::size_t>(Call::Kind::rollBack)] = 3;
   EXPECT_EQ(callsInWords(stats), "add 25.0%, back 75.0%");
 }
 

@@ -80,7 +80,7 @@ TEST(ShrinkWalk, MakesCallsSimpler) {
         trace.calls, [&](const Call& call) { return isPlaced(call) || std::ranges::any_of(call.group, isPlaced); });
   };
   const Trace small =
-      shrink({{}, {Call::of(Call::Kind::mark), group, Call::of(Call::Kind::goBack)}, true}, places, 60s);
+      shrink({{}, {Call::of(Call::Kind::mark), group, Call::of(Call::Kind::rollBack)}, true}, places, 60s);
   EXPECT_EQ(printTrace(small), "lgs-trace 1\nadd p1 0 0 1  0 0 1 0 0 1\n");
 }
 

@@ -244,7 +244,7 @@ std::string printCall(const Call& call) {
   if (call.room != 0) text += fmt::format("  room {}", call.room);
   if (has(kind, KindOfCall::number) && (call.nth != 0 || (kind != Kind::commit && kind != Kind::reload)))
     text += fmt::format(" {}", call.nth);
-  if (kind == Kind::goBack && call.keeps != Call::Keeps::never) text += " keep";
+  if (kind == Kind::rollBack && call.keeps != Call::Keeps::never) text += " keep";
   for (const Call& part : call.group) text += "\n" + printCall(part);
   return kind == Kind::group || kind == Kind::repeat ? text + "\nend" : text;
 }
@@ -296,7 +296,7 @@ Fault readCall(Words words, Call& call) {
   }
   if (has(kind, KindOfCall::number) && !in.isAtEnd()) in.number("number", call.nth);
   if (in.isGood() && kind == Kind::repeat && call.nth > 1'000) in.fail("calls are repeated 1000 times at most");
-  if (in.isGood() && kind == Kind::goBack && in.take("keep")) call.keeps = Call::Keeps::always;
+  if (in.isGood() && kind == Kind::rollBack && in.take("keep")) call.keeps = Call::Keeps::always;
   if (Fault fault = in.end(); !fault.empty()) return fault;
   call = tidied(std::move(call));
   return {};

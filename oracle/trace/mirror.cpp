@@ -94,7 +94,7 @@ std::optional<std::string> Mirror::update(const World& world, const Changes& cha
   listed_.clear();
   gone_.clear();
   for (const auto* ids : {&changes.removed, &changes.relinked, &changes.added}) {
-    if (after != After::commit && !std::ranges::is_sorted(*ids)) return "what going back did is not told by id";
+    if (after != After::commit && !std::ranges::is_sorted(*ids)) return "what a roll-back did is not told by id";
     if (after != After::commit && ids != &changes.relinked) listed_.clear();
     for (const SegmentId id : *ids)
       if (!listed_.insert(id.value).second)
@@ -104,7 +104,7 @@ std::optional<std::string> Mirror::update(const World& world, const Changes& cha
   if (auto complaint = relink(world, changes.relinked)) return complaint;
   if (auto complaint = add(world, changes.added)) return complaint;
   if (auto complaint = compareAll(world)) return complaint;
-  if (after != After::commit) segments_.resize(std::size_t{world.maxSegmentId()} + 1);  // going back lowers it
+  if (after != After::commit) segments_.resize(std::size_t{world.maxSegmentId()} + 1);  // a roll-back lowers it
   return std::nullopt;
 }
 

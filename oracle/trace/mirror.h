@@ -24,7 +24,7 @@ class Mirror {
   ///  - all other segments are exactly as before; the world lists the live ids in increasing order;
   ///  - each segment lies on an edge of its polygon, which is placed; it has the polygon's cell and block;
   ///  - predecessor and successor are live segments that meet this one, and the ghosts are their far ends.
-  /// After going back or forward an id may be both removed and added, and ids are those of then; while edits are pending
+  /// After a roll-back or redo an id may be both removed and added, and ids are those of then; while edits are pending
   /// a segment may have lost its polygon. A link may lead to what is not in memory.
   /// After a complaint the mirror is of no further use.
   enum class After : std::uint8_t { commit, goingBack, goingBackToPending };

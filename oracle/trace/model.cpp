@@ -126,10 +126,10 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
       return;
     case Kind::mark:
       return timeline_.mark(now_);
-    case Kind::goBack:
+    case Kind::rollBack:
       if (hasMarks()) goTo(timeline_.back(call.nth, call.keeps != Call::Keeps::never));
       return;
-    case Kind::goForward:
+    case Kind::redo:
       if (hasAhead()) goTo(timeline_.forward(call.nth));
       return;
     case Kind::forget:

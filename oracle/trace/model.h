@@ -139,7 +139,7 @@ class Model {
   State now_;
   Timeline<State> timeline_;
   std::map<Cell, std::vector<Content>> shelf_;  // what chunks were unloaded as
-  std::map<Cell, Owed> owed_;                   // unloaded ones that the world went back or forward over since
+  std::map<Cell, Owed> owed_;                   // unloaded ones that the world rolled back or redid over since
   bool hasForgotten_ = false;                   // chunks: their handles may be given again
   std::uint64_t names_ = 0;
 };

@@ -200,7 +200,7 @@ Verdict Model::judgeParts(const Call& call) const {
       if (verdicts.size() > 1) return {false, std::nullopt, cell};
       return verdicts.empty() ? Verdict{} : verdicts[0];
     }
-    case Kind::goForward:
+    case Kind::redo:
       if (!hasAhead() || timeline_.redo() == Redo::sure) return {};
       return {.accepted = false, .code = ErrorCode::unknownMark, .isOpen = timeline_.redo() == Redo::maybe};
     case Kind::follow:

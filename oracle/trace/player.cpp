@@ -71,16 +71,16 @@ void Player::keepMoment(const Call& call) {
   now_.away = away;
   now_.chunks = model_.state().chunks;
   if (call.kind == Kind::mark) moments_.mark(now_);
-  if (call.kind == Kind::goBack && moments_.hasMarks())
+  if (call.kind == Kind::rollBack && moments_.hasMarks())
     now_ = moments_.back(call.nth, call.keeps != Call::Keeps::never);
-  if (call.kind == Kind::goForward && moments_.hasAhead()) now_ = moments_.forward(call.nth);
-  if (call.kind == Kind::goBack || call.kind == Kind::goForward) {
+  if (call.kind == Kind::redo && moments_.hasAhead()) now_ = moments_.forward(call.nth);
+  if (call.kind == Kind::rollBack || call.kind == Kind::redo) {
     hasTravelled_ = true;
     turn(away);
   }
   if (call.kind == Kind::forget && moments_.hasMarks()) moments_.forget(call.nth);
   if (call.kind == Kind::load) moments_.clear();
-  hasLeft_ = hasLeft_ || call.kind == Kind::goBack || call.kind == Kind::load || call.kind == Kind::copy;
+  hasLeft_ = hasLeft_ || call.kind == Kind::rollBack || call.kind == Kind::load || call.kind == Kind::copy;
 }
 
 // Chunks that came or went since have done it at the end of this past, and with a commit, unless edits were pending.

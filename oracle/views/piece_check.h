@@ -45,7 +45,7 @@ class PieceCheck {
   std::optional<std::string> begin(const World& world, const Pieces& pieces);
   /// What is wrong with it, or with the cells that it told, after an update.
   std::optional<std::string> update(const World& world, const Pieces& pieces, std::vector<Cell> told);
-  /// The latter alone: for a world with edits that are pending, since it went back to when there were some.
+  /// The latter alone: for a world with edits that are pending, since it rolled back to when there were some.
   std::optional<std::string> updateOfPending(const World& world, const Pieces& pieces, std::vector<Cell> told);
 
  private:

@@ -119,8 +119,7 @@ LGS_VALUES(
     [](World& world) {
       return world.clear(CellRect{{-9, -9}, {9, 9}}).has_value();
     },
-    [](World& world) { return world.commit().added.empty(); },
-    [](World& world) { return world.checkpoint().value != 0; })
+    [](World& world) { return world.commit().added.empty(); }, [](World& world) { return world.mark().value != 0; })
 
 void addDoorsOfBodies(Doors& door);
 void addDoorsOfPieces(Doors& door);

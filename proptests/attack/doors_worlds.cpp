@@ -157,14 +157,14 @@ void addDoorsOfWorlds(Doors& door) {
     if (isFirst) place(s.world, {3, 3}, unitSquare());
     return s.world.commit(executor).added.size();
   });
-  door("World::checkpoint()", [](Scene& s) { s.marks.push_back(s.world.checkpoint()); });
+  door("World::mark()", [](Scene& s) { s.marks.push_back(s.world.mark()); });
   door("World::rollBack(Mark, Undone)",
        [](Scene& s, Mark mark, Undone undone) { return s.world.rollBack(mark, undone); });
-  door("World::rollForward(Mark)", [](Scene& s, Mark mark, Mark from, bool edits) {
+  door("World::redo(Mark)", [](Scene& s, Mark mark, Mark from, bool edits) {
     static_cast<void>(s.world.rollBack(from, Undone::keep));
     if (edits) static_cast<void>(s.world.clear(Cell{0, 0}));
     const Seen before = seenOf(s.world);
-    const bool done = s.world.rollForward(mark).has_value();
+    const bool done = s.world.redo(mark).has_value();
     EXPECT_TRUE(done || before == seenOf(s.world));
   });
   door("World::forget(Mark)", [](Scene& s, Mark mark) { return s.world.forget(mark); });

@@ -33,7 +33,7 @@ Scene::Scene() {
   for (const Cell corner : kCorners) static_cast<void>(world.add(corner, square, 0));
   const PolygonHandle stale = place(world, {31, 31}, ramp(), 3);
   world.commit();
-  const Mark early = world.checkpoint(), forgotten = world.checkpoint();
+  const Mark early = world.mark(), forgotten = world.mark();
   static_cast<void>(world.forget(forgotten));
   static_cast<void>(world.remove(stale));
   static_cast<void>(world.clear(Cell{0, 1}));
@@ -45,7 +45,7 @@ Scene::Scene() {
 
   const PolygonHandle elsewhere = place(other, {-40, 77}, unitSquare(), 9);
   other.commit();
-  marks = {early, {}, forgotten, other.checkpoint(), {early.value + 1}, {~std::uint64_t{0}}};
+  marks = {early, {}, forgotten, other.mark(), {early.value + 1}, {~std::uint64_t{0}}};
   polygons = {{}, {}, stale, elsewhere, {0xffff'ffff, 0xffff'ffff}, {0, 1}, {1, 1}, {1024, 0}, {1024, 0xffff'ffff}};
   segments = {{}, {0}, gone, {world.maxSegmentId() + 1}, {0x8000'0000}, {0xffff'ffff}};
   refresh();
@@ -55,7 +55,7 @@ Scene::Scene() {
       lgs_load(reinterpret_cast<const std::uint8_t*>(file.data()), file.size(), nullptr, &loaded, nullptr));
   c.reset(loaded);
   lgs_mark mark{};
-  static_cast<void>(lgs_checkpoint(loaded, &mark));
+  static_cast<void>(lgs_set_mark(loaded, &mark));
   marksOfC = {{mark.value}, {0}, early, {~std::uint64_t{0}}};
 }
 
@@ -107,7 +107,7 @@ Seen seenOf(const lgs_world* world) {
   static_cast<void>(lgs_segments(world, ids.data(), count, segments.data(), nullptr));
   for (const lgs_segment& s : segments) seen.segments.push_back(fieldsOf(s));
   seen.maxSegmentId = lgs_max_segment_id(world);
-  seen.version = lgs_segments_version(world);
+  seen.version = lgs_world_version(world);
   lgs_stats stats{};
   static_cast<void>(lgs_count(world, &stats));
   seen.shapes = stats.shapes;

@@ -26,7 +26,7 @@ class Digging {
 
   /// Of many circles, with a mark before it or without one.
   void stroke(bool isMarked = true) {
-    if (isMarked) marks.push_back(marked.checkpoint());
+    if (isMarked) marks.push_back(marked.mark());
     DoublePoint at{1.0 * random_.between(10, 110), 1.0 * random_.between(10, 58)};
     const DoublePoint step{random_.between(-100, 100) / 250.0, random_.between(-100, 100) / 250.0};
     const bool paints = random_.chance(33);

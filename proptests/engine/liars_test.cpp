@@ -86,7 +86,7 @@ TEST(Liars, ARelationThatContradictsItselfTouchesNothingElse) {
       for (std::size_t k = 0; k < count; ++k) job(k);
     };
     seed % 2 == 0 ? world.commit(inTurn) : world.commit();
-    const Mark mark = world.checkpoint();
+    const Mark mark = world.mark();
     for (std::int32_t k = 0; k < 20; ++k) {
       const Cell cell{k % 7 - 3, k % 5 - 2};
       for (const PlacedPolygon& p : world.polygons(cell))

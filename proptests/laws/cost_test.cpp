@@ -71,7 +71,7 @@ TEST(Memory, OfCellsWhoseEditsAreUndoneIsGivenBack) {
   world.commit();
   // A buried cell holds two halves for a while. Only then it needs a record of its own.
   const auto visit = [&](Cell cell) {
-    const Mark before = world.checkpoint();
+    const Mark before = world.mark();
     removeAll(world, cell);
     place(world, cell, {{0, 0}, {kUnitsPerCell, 0}, {0, kUnitsPerCell}});
     place(world, cell, {{kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}});
@@ -209,11 +209,11 @@ TEST(Memory, StatsAreHonestAboutWhatMarksKeep) {
   Measured m;
   const ShapeId diamond = shapeOf(m.world, shapeNamed("diamond"));
   constexpr CellRect kPlace{{0, 0}, {60, 60}};
-  const Mark first = m.world.checkpoint();
+  const Mark first = m.world.mark();
   for (int k = 0; k < 10; ++k) {
     ASSERT_TRUE(m.world.fill(kPlace, diamond, 1));
     m.world.commit();
-    static_cast<void>(m.world.checkpoint());
+    static_cast<void>(m.world.mark());
     ASSERT_TRUE(m.world.clear(kPlace));
     m.world.commit();
   }

@@ -15,7 +15,7 @@ namespace {
 // Of a snapshot, in bytes: letters and version; checksum.
 constexpr std::size_t kHead = 8, kTail = 4;
 
-LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500,
+LGS_LAW(RollBack, BytesThatWereNotWrittenAreRefused, 500,
         (const Calls& before, const Setting& setting, Chance chance)) {
   World world = grown({setting.corner, {}}, before).world;
   world.commit();
@@ -31,7 +31,7 @@ LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500,
 }
 
 /// Bytes of ill will have the right checksum. So they are read; what they say must be good, or be refused.
-LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
+LGS_LAW(RollBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
         (const Calls& before, const Calls& after, const Setting& setting, Chance chance)) {
   World world = grown({setting.corner, {}}, before).world;
   world.commit();
@@ -55,7 +55,7 @@ LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
 
 // The bytes of a world with one square end with its serial, its block, no free id, no id just removed, the ids of its
 // four segments and the checksum (docs/internals/snapshot.md).
-TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
+TEST(RollBackByHand, MadeUpBytesAreRefusedForTheirReason) {
   using What = SnapshotError::What;
   World world;
   place(world, {}, unitSquare());
@@ -151,13 +151,13 @@ const Numbers kSmallWorld{
     8, 8,     0,    0,     0,     8,    0,     0,     0,    0, 31, 0,     0, 0,     8,
     0, 0,     0};  // 78: ids: free, none apart, used
 
-TEST(GoingBackByHand, SnapshotsAreAsDocumented) {
+TEST(RollBackByHand, SnapshotsAreAsDocumented) {
   EXPECT_EQ(numbersOf(saved(smallWorld())), kSmallWorld);
   EXPECT_TRUE(bytesOf(kSmallWorld) == saved(smallWorld()));
 }
 
 // They kept the ids apart that the last commit had removed.
-TEST(GoingBackByHand, SnapshotsOfOlderLibrariesAreRead) {
+TEST(RollBackByHand, SnapshotsOfOlderLibrariesAreRead) {
   Numbers older = kSmallWorld;
   const Numbers ids{4, 8, 0, 0, 0, 4, 8, 0, 0, 0};
   std::ranges::copy(ids, older.begin() + 78);
@@ -175,7 +175,7 @@ std::optional<SnapshotError::What> reasonWith(std::size_t at, std::size_t count,
   return loaded ? std::nullopt : std::optional(loaded.error().what);
 }
 
-TEST(GoingBackByHand, EveryNumberBeyondItsRangeIsRefused) {
+TEST(RollBackByHand, EveryNumberBeyondItsRangeIsRefused) {
   using What = SnapshotError::What;
   constexpr std::uint64_t kFarChunk = 2 * (kMaxCell / 32), kMuch = 1'000'000'000;
   const auto one = [](std::size_t at, std::uint64_t number) { return reasonWith(at, 1, {number}); };
@@ -223,7 +223,7 @@ TEST(GoingBackByHand, EveryNumberBeyondItsRangeIsRefused) {
   EXPECT_EQ(one(95, 2), What::badSegments) << "an id beyond those that there are";
 }
 
-TEST(GoingBackByHand, EveryReasonOfARefusalHasItsSentence) {
+TEST(RollBackByHand, EveryReasonOfARefusalHasItsSentence) {
   constexpr auto kLastReason = SnapshotError::What::otherBytes;
   std::set<std::string> sentences;
   for (std::uint64_t what = 0; what <= static_cast<std::uint64_t>(kLastReason); ++what)
@@ -234,7 +234,7 @@ TEST(GoingBackByHand, EveryReasonOfARefusalHasItsSentence) {
   EXPECT_EQ(message(SnapshotError{.what = beyond}), "byte 0: unknown error") << "so that was not the last";
 }
 
-TEST(GoingBackByHand, AnotherRelationIsRefused) {
+TEST(RollBackByHand, AnotherRelationIsRefused) {
   const PreserveRelation relation = [](Block a, Block b) { return a != b; };
   World world(relation);
   place(world, {0, 0}, eighths({{0, 0}, {8, 0}, {8, 4}, {0, 4}}), 1);
@@ -245,7 +245,7 @@ TEST(GoingBackByHand, AnotherRelationIsRefused) {
   EXPECT_EQ(other.what, SnapshotError::What::relation);
 }
 
-TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
+TEST(RollBackByHand, AWorldWithPendingEditsIsNotSaved) {
   World world;
   place(world, {}, unitSquare());
   const auto refused = refusal(world.save([](std::span<const std::byte>) { FAIL() << "nothing is written"; }));
@@ -255,7 +255,7 @@ TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
             "marks, too)");
 }
 
-TEST(GoingBackByHand, ASnapshotComesInSmallPieces) {
+TEST(RollBackByHand, ASnapshotComesInSmallPieces) {
   World world;
   for (const Cell cell : cellsOf({{0, 0}, {39, 39}})) place(world, cell, ramp(), static_cast<Block>(cell.i * cell.j));
   world.commit();
@@ -268,7 +268,7 @@ TEST(GoingBackByHand, ASnapshotComesInSmallPieces) {
   EXPECT_GT(pieces, 1U);
 }
 
-TEST(GoingBackByHand, FilesAreSmall) {
+TEST(RollBackByHand, FilesAreSmall) {
   World blocks, ramps;
   ASSERT_TRUE(blocks.fill({{0, 0}, {99, 99}}, shapeOf(blocks, {unitSquare()}), 1));
   oracle::Random random(1);

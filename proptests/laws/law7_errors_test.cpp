@@ -24,7 +24,7 @@ TEST(Errors, SayWhatAndWhere) {
 }
 
 TEST(Errors, EveryCodeIsTried) {
-  // These are of no edit in this world: segments_test.cpp, law12_going_back_test.cpp, questions_test.cpp,
+  // These are of no edit in this world: segments_test.cpp, law12_rollback_test.cpp, questions_test.cpp,
   // unloaded_by_hand_test.cpp and addons/box2d/tests/falling_test.cpp try them.
   std::set<ErrorCode> tried{ErrorCode::unknownSegment, ErrorCode::unknownMark, ErrorCode::uncommitted,
                             ErrorCode::outOfReach,     ErrorCode::unloaded,    ErrorCode::anchored};

@@ -1,4 +1,4 @@
-// Law 12 needs twins: two worlds in which the same calls are made. One of them leaves now and then: it goes back to a
+// Law 12 needs twins: two worlds in which the same calls are made. One of them leaves now and then: it rolls back to a
 // mark, is saved and loaded, or is copied. Nobody must be able to tell them apart.
 #pragma once
 

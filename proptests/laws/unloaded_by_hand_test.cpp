@@ -59,7 +59,7 @@ TEST(UnloadedByHand, BytesAreThoseOfTheChunkOrRefused) {
 
 TEST(UnloadedByHand, AChunkThatComesBackEmptyIsEmptyAtAllMarks) {
   World world = rowOfChunks(2);
-  const Mark start = world.checkpoint();
+  const Mark start = world.mark();
   removeAll(world, {31, 7});
   world.commit();
   EXPECT_EQ(world.unload(chunkAt(0, 0), {}), 1U);

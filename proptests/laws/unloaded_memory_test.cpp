@@ -78,7 +78,7 @@ TEST(UnloadedByHand, AChunkThatGoesBackToBeingUnloadedHasTheBorderOfThen) {
   EXPECT_TRUE(world.add({32, 5}, square, 1));
   EXPECT_EQ(world.unload(chunkAt(1, 0), shelf.sink()), 1U);
   world.commit();
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   EXPECT_TRUE(world.add({31, 5}, square, 1));  // it wakes the border
   EXPECT_EQ(world.commit().added.size(), 3U);
   EXPECT_TRUE(shelf.reload(world, {32, 0}));
@@ -98,7 +98,7 @@ TEST(UnloadedByHand, CommitsUnderAMarkDoNotAddUp) {
   ASSERT_TRUE(world.clear(CellRect{{32, 0}, {63, 31}}));
   world.commit();
   ASSERT_EQ(world.forgetChunks(CellRect{{32, 0}, {63, 31}}), 1U);
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   for (int k = 0; k < 100; ++k) world.commit();
   const std::uint64_t before = world.stats().bytes;
   for (int k = 0; k < 1'000; ++k) world.commit();

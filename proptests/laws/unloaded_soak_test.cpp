@@ -40,7 +40,7 @@ class Journey {
           edit();
           if (n % 20 == 19) commit();
           if (n % 40 == 10) mark();
-          if (n % 90 == 50) goBack();
+          if (n % 90 == 50) rollBack();
         }
         if (++visits_ % 10 == 0) forgetMarks();
         if (::testing::Test::HasFailure()) return;
@@ -117,7 +117,7 @@ class Journey {
   }
 
   void mark() {
-    marks_.push_back({part_.checkpoint(), whole_.checkpoint()});
+    marks_.push_back({part_.mark(), whole_.mark()});
     if (marks_.size() <= 12) return;
     const auto gone = marks_.begin() + static_cast<std::ptrdiff_t>(random_.below(marks_.size()));
     EXPECT_TRUE(part_.forget(gone->part));
@@ -125,7 +125,7 @@ class Journey {
     marks_.erase(gone);
   }
 
-  void goBack() {
+  void rollBack() {
     if (marks_.empty()) return;
     const std::size_t to = marks_.size() - 1 - std::min(marks_.size() - 1, std::size_t{random_.below(3U)});
     ++wentBack_;
@@ -137,8 +137,8 @@ class Journey {
       const Cell here = window_;
       moveTo({here.i == 0 ? kWindow : here.i - 1, here.j});  // redo survives it
       if (random_.chance(50)) commit();
-      EXPECT_TRUE(part_.rollForward(marks_[to + 1].part));
-      EXPECT_TRUE(whole_.rollForward(marks_[to + 1].whole));
+      EXPECT_TRUE(part_.redo(marks_[to + 1].part));
+      EXPECT_TRUE(whole_.redo(marks_[to + 1].whole));
       marks_.resize(to + 2);
       if (random_.chance(50)) commit();
       moveTo(here);
@@ -172,7 +172,7 @@ TEST(UnloadedSoak, AJourneyThroughManyChunksLosesNothing) {
   Journey journey(side);
   journey.visitAll();
   journey.expectTheSame();
-  std::printf("%d chunks, %llu edits, went back %llu times\n", side * side,
+  std::printf("%d chunks, %llu edits, rolled back %llu times\n", side * side,
               static_cast<unsigned long long>(journey.edits()), static_cast<unsigned long long>(journey.roundTrips()));
 }
 

@@ -61,7 +61,7 @@ class Versions {
       case Call::Kind::forget:
         if (!now_.marks.empty()) now_.marks.erase(now_.marks.begin() + static_cast<std::ptrdiff_t>(k));
         break;
-      case Call::Kind::goBack:
+      case Call::Kind::rollBack:
         if (now_.marks.empty()) break;
         EXPECT_EQ(world.version(), now_.marks[k]);
         EXPECT_EQ(world.changesOfRollBack().before, before);

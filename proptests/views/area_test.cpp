@@ -39,7 +39,7 @@ TEST(ViewsByHand, FollowingBeginsAndEndsBetweenCommitsWithoutMarks) {
   place(world, {}, unitSquare());
   for (const bool follow : {true, false}) EXPECT_EQ(refusal(world.followCells(follow)).code, ErrorCode::uncommitted);
   world.commit();
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   EXPECT_FALSE(world.followCells(true));
   ASSERT_TRUE(world.forget(mark));
   EXPECT_TRUE(world.followCells(true));

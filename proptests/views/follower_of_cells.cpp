@@ -61,9 +61,9 @@ void FollowerOfCells::make(const Call& call) {
     case Call::Kind::commit:
       return commit();
     case Call::Kind::mark:  // edits may be pending
-      return marks_.push_back({world_.checkpoint(), told_, committed_, log_.size(), caller_.given.size()});
-    case Call::Kind::goBack:
-      return marks_.empty() ? void() : goBack(k);
+      return marks_.push_back({world_.mark(), told_, committed_, log_.size(), caller_.given.size()});
+    case Call::Kind::rollBack:
+      return marks_.empty() ? void() : rollBack(k);
     case Call::Kind::forget:
       if (marks_.empty()) return;
       EXPECT_TRUE(world_.forget(marks_[k].mark));
@@ -110,7 +110,7 @@ void FollowerOfCells::commit() {
   world_.commit();
   expectTold(std::span(log_).subspan(committed_), cellsIn(world_));
   committed_ = log_.size();
-  const Mark here = world_.checkpoint();
+  const Mark here = world_.mark();
   EXPECT_TRUE(world_.rollBack(here));
   EXPECT_TRUE(world_.cellChanges().empty()) << "of a roll-back over nothing";
   EXPECT_TRUE(world_.forget(here));
@@ -122,14 +122,14 @@ void FollowerOfCells::commit() {
   EXPECT_EQ(areas, recomputedAreas(world_));
 }
 
-void FollowerOfCells::goBack(std::size_t k) {
+void FollowerOfCells::rollBack(std::size_t k) {
   const Marked& to = marks_[k];
   const auto edited = std::span(log_).first(committed_).subspan(to.committed);
-  const Mark end = world_.checkpoint();
+  const Mark end = world_.mark();
   const Cells told = told_;
   ASSERT_TRUE(world_.rollBack(to.mark, Undone::keep));
   expectTold(edited, to.told);
-  ASSERT_TRUE(world_.rollForward(end));
+  ASSERT_TRUE(world_.redo(end));
   expectTold(edited, told);
   ASSERT_TRUE(world_.rollBack(to.mark));
   expectTold(edited, to.told);

@@ -39,7 +39,7 @@ class FollowerOfCells {
 
   bool edit(const Call& call);
   void group(const Call& call);
-  void goBack(std::size_t k);
+  void rollBack(std::size_t k);
   void load();
   void expectTold(std::span<const Edited> edited, const Cells& now);
 

@@ -40,7 +40,7 @@ class Drawn {
     ASSERT_TRUE(islands.update(world, world.commit()));
     EXPECT_EQ(check_.update(world, islands), std::nullopt);
   }
-  void goBack(Mark mark) {
+  void rollBack(Mark mark) {
     ASSERT_TRUE(world.rollBack(mark));
     ASSERT_TRUE(islands.update(world, world.changesOfRollBack()));
     EXPECT_EQ(check_.update(world, islands), std::nullopt);
@@ -162,7 +162,7 @@ TEST(IslandViewByHand, ABodyGoesBackWhereItFits) {
   const auto id = d.at({2, 1});
   EXPECT_EQ(id, d.at({0, 0})) << "it stands on the ground";
   d.become({"B.##", "B.#.", "....", "BBBB"});
-  const Mark mark = d.world.checkpoint();
+  const Mark mark = d.world.mark();
   const auto body = must(take(d.world, d.islands, d.at({2, 3})));
   EXPECT_EQ(body.origin, (Cell{2, 2}));
   EXPECT_EQ(body.mass.area, 3);
@@ -182,7 +182,7 @@ TEST(IslandViewByHand, ABodyGoesBackWhereItFits) {
     EXPECT_EQ(d.world.polygon((*placed)[k])->block, body.polygons[k].block);
   d.commit();
   EXPECT_EQ(d.at({3, 2}), d.at({0, 0}));
-  d.goBack(mark);
+  d.rollBack(mark);
   EXPECT_EQ(d.islands.all().size(), 3U);
   EXPECT_FALSE(put(d.world, body, {kMaxCell, 0}));
   EXPECT_FALSE(take(d.world, d.islands, {}));
@@ -252,7 +252,7 @@ TEST(IslandViewByHand, AChainThatClosesWithOtherIdsWasBeyond) {
   const auto commit = [&] { ASSERT_TRUE(islands.update(world, world.commit())); };
   const PolygonHandle square = place(world, {-1, 1}, unitSquare());
   commit();
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   place(world, {0, 2}, unitSquare());
   commit();
   ASSERT_TRUE(world.unload({{-32, 0}, {-1, 31}}, shelf.sink()));

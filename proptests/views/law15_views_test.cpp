@@ -1,4 +1,4 @@
-// Law 15: the views of loops, islands, pieces and hashes are, after each commit and after going back or forward, what a
+// Law 15: the views of loops, islands, pieces and hashes are, after each commit and after a roll-back or redo, what a
 // look at the whole world gives; and what they say has changed is what differs. One that missed something says so.
 #include "proptests/laws/calls.h"
 #include "proptests/support/law.h"

@@ -27,7 +27,7 @@ async function load(file, k) {
   world.fill({ i0: 0, j0: 0, i1: side - 1, j1: side - 1 }, world.shape(unitSquare), 7)
   world.commit()
   const strokes = () => {
-    const mark = world.checkpoint(), random = randomNumbers()
+    const mark = world.mark(), random = randomNumbers()
     const time = timed(() => {
       for (const [x, y] of hole(random)) {
         world.carve(circle(x, y, 3, 32))

@@ -45,7 +45,7 @@ async function strokes() {
   const native = new Native(program)
   const others = await clipperStrokes()
   const ours = () => {
-    const mark = world.checkpoint(), random = randomNumbers()
+    const mark = world.mark(), random = randomNumbers()
     const time = timed(() => {
       for (const [x, y] of hole(random)) {
         world.carve(circle(x, y, 3, 32))
@@ -159,7 +159,7 @@ async function spiky() {
   for (const [radius, depth] of [[2, 0.02], [10, 0.02], [30, 0.02], [10, 0.2], [10, 0.9]]) {
     let what = ''
     const carved = () => {
-      const mark = world.checkpoint(), region = spikes(radius, depth)
+      const mark = world.mark(), region = spikes(radius, depth)
       const time = timed(() => {
         try {
           world.carve(region)

@@ -70,7 +70,7 @@ class Scenario {
   double carveHoles() {
     constexpr unsigned kStrokes = 100, kInARow = 12, kRoom = 8;
     constexpr std::int64_t kUnit = lgs::kUnitsPerCell;
-    const lgs::Mark mark = world_->checkpoint();
+    const lgs::Mark mark = world_->mark();
     std::minstd_rand random;
     const double start = now();
     for (unsigned k = 0; k < kStrokes; ++k) {

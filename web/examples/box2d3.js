@@ -22,7 +22,7 @@ const boxes = Array.from({ length: 10 }, (_, k) => {
   return box
 })
 
-const mark = world.checkpoint()
+const mark = world.mark()
 for (let step = 0; step < 300; ++step) {
   terrain.beforeStep()
   b2.b2World_Step(physics, 1 / 60, 4)

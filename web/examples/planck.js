@@ -26,7 +26,7 @@ physics.on('begin-contact', (contact) => {
   }
 })
 
-const mark = world.checkpoint()
+const mark = world.mark()
 for (let step = 0; step < 300; ++step) {
   terrain.beforeStep()
   physics.step(1 / 60)

@@ -1,4 +1,4 @@
-// Shapes, edits, and going back.
+// Shapes, edits, roll-back and redo.
 #include "bridge.h"
 
 namespace lgs::web {
@@ -102,8 +102,8 @@ LGS_EXPORT("endGroup") void endGroup(Bridge* bridge, std::int32_t keep) {
   bridge->group.reset();
 }
 
-LGS_EXPORT("checkpoint") double checkpoint(Bridge* bridge) {
-  const Mark mark = bridge->world.checkpoint();
+LGS_EXPORT("mark") double mark(Bridge* bridge) {
+  const Mark mark = bridge->world.mark();
   if (bridge->isEdited) bridge->marksInEdits.push_back(mark);
   return static_cast<double>(mark.value);
 }

@@ -178,7 +178,7 @@ LGS_EXPORT("tryEdits") std::int32_t tryEdits(Followed* followed, Bridge* bridge)
   return 1;
 }
 
-/// Goes back to before them. Returns 0 if the edits were not edits alone: then all followers must begin anew.
+/// Rolls back to before them. Returns 0 if the edits were not edits alone: then all followers must begin anew.
 LGS_EXPORT("untryEdits") std::int32_t untryEdits(Followed* followed, Bridge* bridge, double mark) {
   World& world = bridge->world;
   const bool isBack = world.rollBack(markOf(mark)).has_value();

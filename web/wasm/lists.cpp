@@ -88,11 +88,11 @@ LGS_EXPORT("commit") const std::uint64_t* commit(Bridge* bridge) {
   return listed(*bridge, bridge->world.commit(), false);
 }
 
-// `way`: 0 goes back, 1 goes back and keeps what it undoes, 2 goes forward.
+// `way`: 0 rolls back, 1 rolls back and keeps what it undoes, 2 redoes.
 LGS_EXPORT("roll") const std::uint64_t* roll(Bridge* bridge, double mark, std::int32_t way) {
   World& world = bridge->world;
   const auto done =
-      way == 2 ? world.rollForward(markOf(mark)) : world.rollBack(markOf(mark), way == 1 ? Undone::keep : Undone::drop);
+      way == 2 ? world.redo(markOf(mark)) : world.rollBack(markOf(mark), way == 1 ? Undone::keep : Undone::drop);
   if (!done) return refused(done.error(), static_cast<const std::uint64_t*>(nullptr));
   const bool isEdited = std::ranges::find(bridge->marksInEdits, markOf(mark)) != bridge->marksInEdits.end();
   return listed(*bridge, bridge->world.changesOfRollBack(), isEdited);

@@ -76,7 +76,7 @@ class Game {
   void begin() {
     static_cast<void>(world_.followCells(true));
     islands_.emplace(world_, isBedrock);
-    marks_ = {world_.checkpoint()};
+    marks_ = {world_.mark()};
     now_ = 0;
   }
 
@@ -158,7 +158,7 @@ class Game {
       static_cast<void>(world_.forget(marks_.front()));
       marks_.erase(marks_.begin());
     }
-    marks_.push_back(world_.checkpoint());
+    marks_.push_back(world_.mark());
     now_ = marks_.size() - 1;
   }
 
@@ -168,7 +168,7 @@ class Game {
   }
 
   void undo(std::size_t to) {
-    const auto done = to <= now_ ? world_.rollBack(marks_[to], Undone::keep) : world_.rollForward(marks_[to]);
+    const auto done = to <= now_ ? world_.rollBack(marks_[to], Undone::keep) : world_.redo(marks_[to]);
     if (!done) wrong_ = "a mark is lost";
     now_ = to;
     show(world_.changesOfRollBack());

@@ -307,7 +307,7 @@ std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats
 constexpr std::uint8_t kBodies = 128;
 bool hasBodies(Bytes input) { return !input.empty() && input[0] >= kBodies; }
 
-// A terrain is told of going back by a call of its own (bodies.cpp).
+// A terrain is told of a roll-back by a call of its own (bodies.cpp).
 oracle::Trace plainEdits(Bytes input) { return oracle::caseOf(input, {.edits = 2'048}); }
 
 oracle::Trace traceOf(Bytes input) { return hasBodies(input) ? oracle::Trace() : plainEdits(input); }

@@ -148,19 +148,19 @@ double thousandDigs(Field& field, const box2d::TerrainOptions& options) {
   });
 }
 
-// The world goes back and forth over 100 edits, each with its commit, at once. Both times are with the sync.
+// Rolls back 100 edits, each with its commit, at once, and redoes them. Both times are with the sync.
 struct BackAndForth {
   double undo, redo;
 };
 template <class Edit>
 BackAndForth hundredEdits(Field& field, Edit edit) {
   Populated populated(field, {});
-  const Mark begin = field.world.checkpoint();
+  const Mark begin = field.world.mark();
   for (std::size_t k = 0; k < 100; ++k) {
     edit(field, k);
     populated.sync();
   }
-  const Mark end = field.world.checkpoint();
+  const Mark end = field.world.mark();
   const auto both = [&](auto go) {
     const double time = processorMicroseconds([&] {
       (void)go();
@@ -172,7 +172,7 @@ BackAndForth hundredEdits(Field& field, Edit edit) {
   double redo = std::numeric_limits<double>::max();
   const double undo = leastOf([&] {
     const double back = both([&] { return field.world.rollBack(begin, Undone::keep); });
-    redo = std::min(redo, both([&] { return field.world.rollForward(end); }));
+    redo = std::min(redo, both([&] { return field.world.redo(end); }));
     return back;
   });
   return {undo, redo};
@@ -269,7 +269,7 @@ void printBeside(std::int32_t side, const char* name, Edit edit) {
     const auto coordinate = [&] { return 4 * U + random.below((side - 8) * U); };
     const Point at{coordinate(), coordinate()};
     while (edges.size() < kOnAChunk) edges.make();
-    const Mark mark = world.checkpoint();
+    const Mark mark = world.mark();
     const Changes* changes = nullptr;
     edited.push_back(microseconds([&] {
       edit(world, at);

@@ -116,7 +116,7 @@ LGS_LAW(Box2dEdges, FollowAWorldThatGoesBack, 100, (const box2d_test::Edits& tra
   copy.apply(set, set.load(world));
   box2d_test::playAll(trace, player, [&] {
     copy.apply(set, set.update(world, player.commit()));
-    const Mark mark = world.checkpoint();
+    const Mark mark = world.mark();
     for (int guesses = random.below(4); guesses > 0; --guesses) {
       const CellRect all = world.bounds().value_or(CellRect{});
       const Cell cell{std::min(all.min.i + random.below(4), kMaxCell), std::min(all.min.j + random.below(4), kMaxCell)};

@@ -213,7 +213,7 @@ class FallingMatter : public Falling {
   }
   void note() {
     marks.resize(now + 1);
-    marks.emplace_back(field.world.checkpoint(), matter());
+    marks.emplace_back(field.world.mark(), matter());
     ++now;
   }
   void dig(oracle::Random& random) {
@@ -225,8 +225,7 @@ class FallingMatter : public Falling {
   }
   void go(std::size_t to) {
     const bool isBack = to <= now;
-    ASSERT_TRUE(isBack ? field.world.rollBack(marks[to].first, Undone::keep)
-                       : field.world.rollForward(marks[to].first));
+    ASSERT_TRUE(isBack ? field.world.rollBack(marks[to].first, Undone::keep) : field.world.redo(marks[to].first));
     now = to;
     const Changes& changes = field.world.changesOfRollBack();
     ASSERT_TRUE(terrain->sync(changes));
@@ -246,7 +245,7 @@ TEST_F(FallingMatter, IsNeitherDoubledNorLostByUndoAndRedo) {
     field.add({i + 1, 7}, kSquare);
   }
   begin();
-  marks = {{field.world.checkpoint(), matter()}};
+  marks = {{field.world.mark(), matter()}};
   std::size_t bodies = 0;
   for (int k = 0; k < 300; ++k) {
     if (random.chance(60))

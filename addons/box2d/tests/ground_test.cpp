@@ -1,5 +1,5 @@
-// The ground of a game with Box2D: what is cut off falls, rests and is ground again; going back and leaving memory leave
-// nobody in the ground and nothing twice.
+// The ground of a game with Box2D: what is cut off falls, rests and is ground again; roll-backs and unloading leave nobody
+// in the ground and nothing twice.
 #include "either.h"
 
 #include <lgs/box2d/ground.h>

@@ -112,7 +112,7 @@ TEST_F(Box2dOverlap, WhoHasNoWayOutIsHeldUntilItIsFree) {
 
 TEST_F(Box2dOverlap, AnUndoThatBuriesIsNoUndoOfTheBody) {
   Terrain terrain(physics, field.world);
-  const Mark mark = field.world.checkpoint();
+  const Mark mark = field.world.mark();
   ASSERT_TRUE(field.world.clear(CellRect{{-1, -1}, {1, -1}}));
   ASSERT_TRUE(terrain.commit(field.world));
   const Body body = addBody({0.5F, -0.5F}, Form::box, 0);

@@ -201,9 +201,9 @@ TEST_F(Box2dRecipes, DiggingUnderASleepingStack) {
 TEST_F(Box2dRecipes, UndoingADigTakesTheBodyOutOfTheHole) {
   fill({{0, -4}, {9, -1}}, recipes::kStone);
   ground();
-  const Mark first = world.checkpoint();
+  const Mark first = world.mark();
   ASSERT_TRUE(recipes::dig(world, *terrain, {{4, -1}, {4, -1}}));
-  const Mark second = world.checkpoint();
+  const Mark second = world.mark();
   ASSERT_TRUE(recipes::dig(world, *terrain, {{7, -1}, {7, -1}}));
   ASSERT_TRUE(recipes::placeIfFree(world, *terrain, {8, 0}, square, recipes::kStone));
   const Body ball = addBody({4.5F, 0.4F}, Form::ball, 0);

@@ -1,4 +1,4 @@
-// Box2D 3.2's snapshots: the terrain goes back with them, and all goes on to the last bit.
+// Box2D 3.2's snapshots: the terrain rolls back with them, and all goes on to the last bit.
 #include "physics3.h"
 #include "shapes3.h"
 
@@ -80,7 +80,7 @@ template <class Test, class WorldId>
 void replay(Test& test, World& world, WorldId physics, const TerrainOptions& options) {
   Terrain terrain(physics, world, options);
   test.play(physics, terrain, 60);
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   const Terrain::MemoryPtr memory = terrain.remember();
   const Image image = imageOf(physics);
   const auto first = test.play(physics, terrain, 200);
@@ -107,7 +107,7 @@ void digRollBackAndRestore(WorldId physics, World& world) {
   TerrainOptions options{.cellSize = 0.5};
   Terrain terrain(physics, world, options);
   const Image image = imageOf(physics);
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   const auto memory = terrain.remember();
   terrain.moveOrigin({3, 3});
   world.clear({{-3, -2}, {3, -1}});

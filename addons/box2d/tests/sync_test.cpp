@@ -57,7 +57,7 @@ class Careless {
   }
 
   /// The world goes to a mark; which is where it was in some state.
-  void goBack(Mark mark, int state, Chance& random) {
+  void rollBack(Mark mark, int state, Chance& random) {
     ASSERT_TRUE(world_.rollBack(mark));
     const Changes& undone = world_.changesOfRollBack();
     if (isEmpty(undone)) return hand(undone, random);
@@ -110,7 +110,7 @@ LGS_LAW(Box2dSync, EachMisuseIsNoticedAndALoadRepairs, 300, (const Edits& trace,
   playAll(trace, player, [&] {
     careless.hand(player.commit(), random);
     if (random.chance(70)) return;
-    const Mark mark = world.checkpoint();
+    const Mark mark = world.mark();
     const int state = careless.state();
     const ShapeId square = world.shape(kUnitSquare).value();
     for (int guesses = random.below(3); guesses > 0; --guesses) {
@@ -118,7 +118,7 @@ LGS_LAW(Box2dSync, EachMisuseIsNoticedAndALoadRepairs, 300, (const Edits& trace,
       ASSERT_TRUE(world.replace(random.chance(50) ? all.min : all.max, square, 7));
       careless.hand(world.commit(), random);
     }
-    careless.goBack(mark, state, random);
+    careless.rollBack(mark, state, random);
     ASSERT_TRUE(world.forget(mark));
   });
   careless.load();

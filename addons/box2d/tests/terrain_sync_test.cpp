@@ -105,7 +105,7 @@ TEST_F(Box2dTerrainSync, ARollBackIsSynced) {
   field.addFloor(0, 5);
   Terrain terrain(physics, field.world);
   EXPECT_TRUE(terrain.commit(field.world));
-  const Mark mark = field.world.checkpoint();
+  const Mark mark = field.world.mark();
   dig({3, -1});
   EXPECT_TRUE(terrain.commit(field.world));
   ASSERT_TRUE(field.world.rollBack(mark));
@@ -122,7 +122,7 @@ TEST_F(Box2dTerrainSync, TwoRollBacksWithOneSyncAreNoticed) {
     EXPECT_TRUE(terrain.commit(two.world));
     std::vector<Mark> marks;
     for (const std::int32_t i : {1, 3}) {
-      marks.push_back(two.world.checkpoint());
+      marks.push_back(two.world.mark());
       ASSERT_TRUE(two.world.clear(Cell{i, -1}));
       EXPECT_TRUE(terrain.commit(two.world));
     }
@@ -147,7 +147,7 @@ TEST_F(Box2dTerrainSync, AGuessThatIsTakenBackUnseenNeedsNoSync) {
   field.addFloor(0, 5);
   Terrain terrain(physics, field.world);
   EXPECT_TRUE(terrain.commit(field.world));
-  const Mark mark = field.world.checkpoint();
+  const Mark mark = field.world.mark();
   dig({3, -1});
   field.world.commit();
   EXPECT_FALSE(terrain.isCurrent());

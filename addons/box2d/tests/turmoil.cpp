@@ -53,7 +53,7 @@ Turmoil::Turmoil(const Arena& arena) : arena_(arena), square_(*world_.shape(kUni
   world_.commit();
   box2d::TerrainOptions options{.cellSize = 0.5 * arena.cellSize, .chunkCells = arena.chunkCells, .merge = arena.merge};
   terrain_.emplace(crowd_.physics, world_, options);
-  marks_ = {world_.checkpoint()};
+  marks_ = {world_.mark()};
 }
 
 Point Turmoil::pointOf(const Move& move) const {
@@ -168,7 +168,7 @@ void Turmoil::undo(int steps) {
 void Turmoil::redo(int steps) {
   if (now_ + 1 == marks_.size()) return;
   now_ = std::min(marks_.size() - 1, now_ + 1 + static_cast<std::size_t>(steps % 2));
-  static_cast<void>(world_.rollForward(marks_[now_]));
+  static_cast<void>(world_.redo(marks_[now_]));
   sync(world_.changesOfRollBack());
 }
 
@@ -176,7 +176,7 @@ void Turmoil::load() {
   if (file_.empty()) return;
   world_ = *World::load(file_);
   square_ = *world_.shape(kUnitSquare);
-  marks_ = {world_.checkpoint()};
+  marks_ = {world_.mark()};
   now_ = 0;
   terrain_->resync();
   count();
@@ -218,7 +218,7 @@ void Turmoil::act(const Move& move) {
         static_cast<void>(world_.forget(marks_.front()));
         marks_.erase(marks_.begin());
       }
-      marks_.push_back(world_.checkpoint());
+      marks_.push_back(world_.mark());
       now_ = marks_.size() - 1;
       return;
   }

@@ -1,4 +1,4 @@
-// Commits and going back.
+// Commits, roll-back and redo.
 #include "inside.h"
 
 using namespace lgs::c;
@@ -48,9 +48,9 @@ lgs_status lgs_commit_with(lgs_world* world, lgs_executor_fn executor, void* use
   return LGS_OK;
 }
 
-lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) noexcept {
+lgs_status lgs_set_mark(lgs_world* world, lgs_mark* mark) noexcept {
   if (!world || !mark) return LGS_BAD_ARGUMENT;
-  *mark = {world->world.checkpoint().value};
+  *mark = {world->world.mark().value};
   return LGS_OK;
 }
 
@@ -69,9 +69,9 @@ lgs_status lgs_roll_back_keeping(lgs_world* world, lgs_mark mark, lgs_changes* c
   return LGS_OK;
 }
 
-lgs_status lgs_roll_forward(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) noexcept {
+lgs_status lgs_redo(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) noexcept {
   if (!world) return refuse(LGS_BAD_ARGUMENT, error);
-  if (const auto done = world->world.rollForward(fromC(mark)); !done) return refuse(done.error(), error);
+  if (const auto done = world->world.redo(fromC(mark)); !done) return refuse(done.error(), error);
   if (changes) *changes = keep(world->world.changesOfRollBack(), world->changed);
   return LGS_OK;
 }

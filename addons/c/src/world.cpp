@@ -105,5 +105,5 @@ lgs_status lgs_count(const lgs_world* world, lgs_stats* stats) noexcept {
   return LGS_OK;
 }
 
-uint64_t lgs_segments_version(const lgs_world* world) noexcept { return world ? world->world.version() : 0; }
+uint64_t lgs_world_version(const lgs_world* world) noexcept { return world ? world->world.version() : 0; }
 uint32_t lgs_max_segment_id(const lgs_world* world) noexcept { return world ? world->world.maxSegmentId() : 0; }

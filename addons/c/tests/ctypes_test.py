@@ -160,7 +160,7 @@ class Trace:
     def detour(self):
         """Nobody may notice it: edits that are undone, or a world that is saved and loaded."""
         if self.chance.random() < 0.5:
-            mark = self.world.checkpoint()
+            mark = self.world.mark()
             self.world.clear((-9, -9), (40, 40))
             self.world.commit()
             self.world.roll_back(mark)

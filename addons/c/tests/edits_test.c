@@ -294,7 +294,7 @@ static void following(void) {
   REFUSED(LGS_BAD_ARGUMENT, lgs_follow_cells(NULL, 1, &error));
   CHECK(lgs_follow_cells(world, 1, NULL) == LGS_OK && toldBy(world).cells == 0);
 
-  CHECK(lgs_checkpoint(world, &mark) == LGS_OK);
+  CHECK(lgs_set_mark(world, &mark) == LGS_OK);
   CHECK(lgs_replace(world, cellAt(4, 5), square, 2, NULL, 0, NULL) == LGS_OK);
   CHECK(lgs_add_points(world, cellAt(4, 6), kRamp, 3, 1, NULL, NULL) == LGS_OK);
   CHECK(lgs_commit(world, NULL) == LGS_OK);

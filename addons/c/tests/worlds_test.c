@@ -1,4 +1,4 @@
-/* Worlds as a whole: options, copies, commits, groups, going back; ids as integers; errors as sentences. */
+/* Worlds as a whole: options, copies, commits, groups, roll-backs; ids as integers; errors as sentences. */
 #include "check.h"
 
 static void options(void) {
@@ -53,13 +53,13 @@ static void copies(void) {
   int32_t same = 7;
   placed(world, cellAt(0, 0), square, 1);
   CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_copy(world, &copy) == LGS_OK);
-  CHECK(lgs_segments_version(world) == lgs_segments_version(copy));
+  CHECK(lgs_world_version(world) == lgs_world_version(copy));
   CHECK(lgs_same_polygons(world, copy, &same) == LGS_OK && same == 1);
   here = placed(world, cellAt(1, 0), square, 1);
   CHECK(lgs_same_polygons(world, copy, &same) == LGS_OK && same == 0);
   there = placed(copy, cellAt(1, 0), square, 1);
   CHECK(samePolygon(here, there));
-  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_segments_version(world) != lgs_segments_version(copy));
+  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_world_version(world) != lgs_world_version(copy));
   CHECK(lgs_max_segment_id(world) >= 6 && lgs_max_segment_id(copy) == 4);
   CHECK(lgs_count(world, &stats) == LGS_OK);
   CHECK(stats.polygons == 2 && stats.cells == 2 && stats.segments == 6 && stats.shapes == 1 && stats.chunks == 1);
@@ -75,7 +75,7 @@ static void copies(void) {
   CHECK(lgs_copy(NULL, &copy) == LGS_BAD_ARGUMENT && lgs_copy(world, NULL) == LGS_BAD_ARGUMENT);
   CHECK(lgs_same_polygons(NULL, copy, &same) == LGS_BAD_ARGUMENT);
   CHECK(lgs_same_polygons(world, NULL, &same) == LGS_BAD_ARGUMENT);
-  CHECK(lgs_segments_version(NULL) == 0 && lgs_max_segment_id(NULL) == 0);
+  CHECK(lgs_world_version(NULL) == 0 && lgs_max_segment_id(NULL) == 0);
   lgs_free(copy);
   lgs_free(world);
 }
@@ -102,13 +102,13 @@ static void commits(void) {
   CHECK(lgs_commit(other, &expected) == LGS_OK && expected.added_count == 202 && changes.added_count == 202);
   for (k = 0; k < 202; ++k) CHECK(changes.added[k].value == expected.added[k].value);
   CHECK(changes.removed_count == 0 && changes.relinked_count == 0);
-  version = lgs_segments_version(world);
+  version = lgs_world_version(world);
   CHECK(changes.before == 0 && version != 0 && changes.after == version);
 
   CHECK(lgs_clear(world, rectOf(50, 0, 50, 0), NULL, NULL) == LGS_OK);
   CHECK(lgs_commit(world, &changes) == LGS_OK);
   CHECK(changes.removed_count == 2 && changes.added_count == 2 && changes.relinked_count == 4);
-  CHECK(changes.before == version && changes.after != version && changes.after == lgs_segments_version(world));
+  CHECK(changes.before == version && changes.after != version && changes.after == lgs_world_version(world));
   before = jobs;
   CHECK(lgs_clear(world, rectOf(10, 0, 10, 0), NULL, NULL) == LGS_OK);
   CHECK(lgs_commit_with(world, backwards, &jobs, &changes) == LGS_OK && changes.added_count == 2);
@@ -169,28 +169,28 @@ static void goingBack(void) {
   uint64_t version;
   placed(world, cellAt(0, 0), square, 1);
   CHECK(lgs_commit(world, NULL) == LGS_OK);
-  version = lgs_segments_version(world);
-  CHECK(lgs_checkpoint(world, &mark) == LGS_OK && mark.value != 0);
+  version = lgs_world_version(world);
+  CHECK(lgs_set_mark(world, &mark) == LGS_OK && mark.value != 0);
   placed(world, cellAt(1, 0), square, 1);
-  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_checkpoint(world, &later) == LGS_OK);
+  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_set_mark(world, &later) == LGS_OK);
   CHECK(lgs_roll_back(world, mark, &changes, NULL) == LGS_OK);
   CHECK(changes.removed_count == 3 && changes.added_count == 1 && changes.after == version);
   CHECK(lgs_roll_back(world, mark, NULL, NULL) == LGS_OK);
   REFUSED(LGS_UNKNOWN_MARK, lgs_roll_back(world, later, &changes, &error));
-  REFUSED(LGS_UNKNOWN_MARK, lgs_roll_forward(world, later, &changes, &error));
+  REFUSED(LGS_UNKNOWN_MARK, lgs_redo(world, later, &changes, &error));
   placed(world, cellAt(1, 0), square, 1);
-  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_checkpoint(world, &later) == LGS_OK);
+  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_set_mark(world, &later) == LGS_OK);
   CHECK(lgs_roll_back_keeping(world, mark, NULL, NULL) == LGS_OK);
-  CHECK(lgs_roll_forward(world, later, &changes, NULL) == LGS_OK);
+  CHECK(lgs_redo(world, later, &changes, NULL) == LGS_OK);
   CHECK(changes.removed_count == 1 && changes.added_count == 3 && changes.before == version);
-  REFUSED(LGS_BAD_ARGUMENT, lgs_roll_forward(NULL, later, NULL, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_redo(NULL, later, NULL, &error));
   REFUSED(LGS_BAD_ARGUMENT, lgs_roll_back_keeping(NULL, later, NULL, &error));
   CHECK(lgs_roll_back_keeping(world, mark, &changes, NULL) == LGS_OK && changes.added_count == 1);
   CHECK(lgs_forget(world, mark, NULL) == LGS_OK);
   REFUSED(LGS_UNKNOWN_MARK, lgs_forget(world, mark, &error));
   REFUSED(LGS_BAD_ARGUMENT, lgs_forget(NULL, mark, &error));
   REFUSED(LGS_BAD_ARGUMENT, lgs_roll_back(NULL, mark, NULL, &error));
-  CHECK(lgs_checkpoint(NULL, &mark) == LGS_BAD_ARGUMENT && lgs_checkpoint(world, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_set_mark(NULL, &mark) == LGS_BAD_ARGUMENT && lgs_set_mark(world, NULL) == LGS_BAD_ARGUMENT);
   lgs_free(world);
 }
 

@@ -73,9 +73,9 @@ class Game {
       : corner_(setting.corner), chance_(chance), caller_(World(), setting.corner), server_(followed(caller_.world)) {}
 
   void make(const Call& call) {
-    const bool tells = call.kind == Call::Kind::commit || call.kind == Call::Kind::goBack;
+    const bool tells = call.kind == Call::Kind::commit || call.kind == Call::Kind::rollBack;
     const std::uint64_t before = caller_.world.version();
-    if (caller_.make(call).refusal || !tells || (call.kind == Call::Kind::goBack && !caller_.hasMarks())) return;
+    if (caller_.make(call).refusal || !tells || (call.kind == Call::Kind::rollBack && !caller_.hasMarks())) return;
     if (chance_.chance(5)) return;  // a commit that the server misses
     tell(server_.update(changesFrom(before, caller_.world)));
     const int what = chance_.below(100);

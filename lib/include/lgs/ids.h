@@ -46,7 +46,7 @@ struct SegmentId {
   friend constexpr auto operator<=>(SegmentId, SegmentId) = default;
 };
 
-/// A moment to which a world can roll back: see World::checkpoint(). Zero is null.
+/// A moment to which a world can roll back: see World::mark(). Zero is null.
 struct Mark {
   std::uint64_t value = 0;                                         ///< for the world that made it
   constexpr explicit operator bool() const { return value != 0; }  ///< whether it is not null

@@ -53,7 +53,7 @@ using PreserveRelation = std::function<bool(Block, Block)>;
 ///   };
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
-/// Whether World::rollBack() keeps what it undoes, so that World::rollForward() can bring it back.
+/// Whether World::rollBack() keeps what it undoes, so that World::redo() can bring it back.
 enum class Undone : std::uint8_t { drop, keep };
 
 /// How much there is in a world: see World::stats().
@@ -197,18 +197,18 @@ class World {
   /// Notes this moment, and returns the mark. Edits may be pending. A mark is for this world and its later copies; no
   /// other world of this process ever makes the same one. Its number means nothing else, and differs from run to run.
   /// Cost: O(1); while edits are pending, in proportion to the chunks that they are in.
-  [[nodiscard]] Mark checkpoint() noexcept;
+  [[nodiscard]] Mark mark() noexcept;
 
   /// Rolls back to a mark. The mark stays, so that the world can roll back to it again; later ones are invalidated.
   /// changesOfRollBack() then returns what this did to the segments. Refused: unknownMark. Cost: in proportion to the
   /// edits since the mark.
   ///
-  /// With Undone::keep the later marks are *ahead*: rollForward() leads there. So a game that makes a mark at its begin
+  /// With Undone::keep the later marks are *ahead*: redo() leads there. So a game that makes a mark at its begin
   /// and after each commit of a player's can undo and redo:
   ///
   ///   if (k > 0 && world.rollBack(marks[k - 1], lgs::Undone::keep)) --k;
-  ///   if (k + 1 < marks.size() && world.rollForward(marks[k + 1])) ++k;
-  ///   marks.resize(++k); marks.push_back(world.checkpoint());  // after an edit and its commit
+  ///   if (k + 1 < marks.size() && world.redo(marks[k + 1])) ++k;
+  ///   marks.resize(++k); marks.push_back(world.mark());  // after an edit and its commit
   ///
   /// What is kept takes memory as long as it can be redone: until the world rolls back further without keeping, rolls
   /// back with keeping after an edit or another mark, or has no mark left from before.
@@ -220,9 +220,9 @@ class World {
   /// the mark is not ahead, or if something was edited, or a shape made, since the roll-back or redo (and that was not
   /// undone). Commits, chunks that leave memory and come back, and groups that were not kept do no harm. Cost: as of
   /// rollBack().
-  [[nodiscard]] Expected<void> rollForward(Mark mark) noexcept;
+  [[nodiscard]] Expected<void> redo(Mark mark) noexcept;
 
-  /// What the last rollBack() or rollForward() did to the segments, after all commits before it: the three lists
+  /// What the last rollBack() or redo() did to the segments, after all commits before it: the three lists
   /// of a commit, by id. One thing is different: an id that named one segment and names another one now is removed, and
   /// then added.
   const Changes& changesOfRollBack() const noexcept;
@@ -312,12 +312,12 @@ class World {
   /// Whether it is kept.
   bool followsCells() const noexcept;
 
-  /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
+  /// The cells that the last commit, rollBack() or redo() changed, each once, in the order of their first
   /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the
   /// commit or roll-back before, and those of chunks that left memory or came back: empty after, or before. A chunk of
   /// which no other cell is named is named by one that is empty both times. After a roll-back these are the cells that
   /// were edited, and committed, since the last commit before the mark; `now` is as of that commit, and edits that were
-  /// pending at the mark are reported by the next commit. So it is after rollForward(), with what comes back. A cell is
+  /// pending at the mark are reported by the next commit. So it is after redo(), with what comes back. A cell is
   /// named even if it holds again what it held. Empty if nothing is followed, or nothing changed. Valid until the next
   /// edit, commit or roll-back. Cost: O(1).
   std::span<const CellChange> cellChanges() const noexcept;

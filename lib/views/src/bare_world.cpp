@@ -71,7 +71,7 @@ const Changes& BareWorld::follow(const World& world) {
     expect(world_.exchange(change.cell, gone_, come_).has_value());
   }
   for (const CellRect& chunk : left) expect(world_.unload(chunk, {}).has_value());
-  if (world.changesOfRollBack().after == world.version())  // it went back, and no commit followed
+  if (world.changesOfRollBack().after == world.version())  // it rolled back, and no commit followed
     for (const CellRect& chunk : unloadedChunks(world)) fillUnknown(chunk);
   return world_.commit();
 }

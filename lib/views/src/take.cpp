@@ -69,7 +69,7 @@ Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, Isla
 
 Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept {
   Foreseen out;
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   if (edit && edit(world) && islands.update(world, world.commit())) {
     out.changes = islands.changes();
     const auto look = [&](IslandId id) {

@@ -20,7 +20,7 @@ namespace lgs::oracle::laws {
 #define LGS_LAWS(law)                                                                               \
   law(refusals,  library)  /* 7: what is refused changes nothing */                                 \
   law(handles,   library)  /* a handle of what is gone names nothing */                             \
-  law(marks,     library)  /* a mark that the world went back beyond leads nowhere */                 \
+  law(marks,     library)  /* a mark that the world rolled back beyond leads nowhere */                 \
   law(brushes,   library)  /* 8 to 10: near to the exact result; what is not reached stays */        \
   law(changes,   library)  /* 6: the lists of changes, alone, keep a copy up to date */             \
   law(locality,  library)  /* 5: a commit changes what lies at the edits */                         \

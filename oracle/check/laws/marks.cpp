@@ -1,4 +1,4 @@
-// A mark that was forgotten, or that the world went back beyond, leads nowhere; nor does one behind lead forward.
+// A mark that was forgotten, or that the world rolled back beyond, leads nowhere; nor does one behind lead forward.
 #include "oracle/check/laws/list.h"
 
 #include <algorithm>
@@ -20,9 +20,9 @@ class MarksLaw : public Law {
     if (isRefused || !movesInTime(call.kind)) return std::nullopt;
     if (call.kind == mark) ever_.push_back(timeline.behind().back().mark);
     const std::size_t placed = seen.model().state().given.size();
-    const bool isKept = call.kind == goForward || (call.kind == goBack && call.keeps != Call::Keeps::never);
-    // The world went back beyond something that was placed before where it could have gone forward from.
-    if (call.kind == goBack && !isKept && timeline.ahead().empty() && placed < placed_)
+    const bool isKept = call.kind == redo || (call.kind == rollBack && call.keeps != Call::Keeps::never);
+    // The world rolled back beyond something that was placed before where it could have redone from.
+    if (call.kind == rollBack && !isKept && timeline.ahead().empty() && placed < placed_)
       dropped_.insert(dropped_.end(), ahead_.begin(), ahead_.end());
     if (isKept) placed_ = placed;
     return look(seen);
@@ -42,15 +42,15 @@ class MarksLaw : public Law {
     };
     for (const Mark mark : ever_)
       if (!isBehind(mark) && !isRefused(world.rollBack(mark)))
-        return seen.mismatch(Mismatch::Kind::past, "the world goes back to a mark that is not behind it");
+        return seen.mismatch(Mismatch::Kind::past, "the world rolls back to a mark that is not behind it");
     for (const Mark mark : dropped_)
-      if (!isRefused(world.rollForward(mark)))
-        return seen.mismatch(Mismatch::Kind::past, "the world goes forward to a mark that was dropped");
+      if (!isRefused(world.redo(mark)))
+        return seen.mismatch(Mismatch::Kind::past, "the world redoes to a mark that was dropped");
     return std::nullopt;
   }
 
   std::vector<Mark> ever_, ahead_, dropped_;
-  std::size_t placed_ = 0;  // so far, where the world went back or forward to
+  std::size_t placed_ = 0;  // so far, where the last roll-back or redo led
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ class PolygonsLaw : public Law {
   Found after(Seen& seen, const Judged& judged, bool isRefused) override {
     using enum Call::Kind;
     const Call::Kind kind = judged.call.kind;
-    const bool isMuch = kind == group || kind == goBack || kind == goForward;
+    const bool isMuch = kind == group || kind == rollBack || kind == redo;
     return isMuch && !isRefused ? nowAndThen(seen) : std::nullopt;
   }
 

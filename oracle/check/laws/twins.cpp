@@ -185,7 +185,7 @@ class TwinsLaw : public Law {
 
   Found nowAndThen(Seen& seen) override {
     for (Twin& twin : twins_) {
-      if (seen.isAnywhere) twin.follow(seen);  // it has gone back since the last commit
+      if (seen.isAnywhere) twin.follow(seen);  // it has rolled back since the last commit
       if (auto found = twin.compare(seen)) return found;
     }
     return std::nullopt;

@@ -45,7 +45,7 @@ export function options<T extends object>(name: string, known: readonly (keyof T
   return value
 }
 
-/** A mark: a number that checkpoint() gave. */
+/** A mark: a number that mark() gave. */
 export function whole(name: string, value: number): number {
   if (!Number.isSafeInteger(value) || value < 0) throw bad(name, 'a mark of this world', value)
   return value

@@ -37,7 +37,7 @@ export interface Exports {
   brushed(world: number, list: number): number
   brushChanges(world: number): number
   commit(world: number): number
-  checkpoint(world: number): number
+  mark(world: number): number
   beginGroup(world: number): void
   endGroup(world: number, keep: number): void
   roll(world: number, mark: number, way: number): number

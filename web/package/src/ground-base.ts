@@ -68,7 +68,7 @@ export abstract class GroundBase<Body> {
     this.#undoSteps = within('undoSteps', undoSteps, 0, 1e6)
     this.#world = createWorld(this.#ofWorld)
     this.#islands = new Islands(this.#world, anchors)
-    this.#marks = [this.#world.checkpoint()]
+    this.#marks = [this.#world.mark()]
   }
 
   /** The constructors end with it. */
@@ -185,7 +185,7 @@ export abstract class GroundBase<Body> {
     const now = this.#now
     if (this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
     const mark = this.#marks.pop()!
-    this.#marks.push(this.#world.checkpoint())
+    this.#marks.push(this.#world.mark())
     this.#world.forget(mark)
     this.#newLand = this.#newLand.map(({ chunk, at }) => ({ chunk, at: at === now ? now - 1 : at })).filter(({ at }) => at >= this.#oldest)
   }
@@ -229,7 +229,7 @@ export abstract class GroundBase<Body> {
     const old = this.#world, oldIslands = this.#islands
     this.#world = world
     this.#islands = new Islands(world, this.#options.anchors)
-    this.#marks = [world.checkpoint()]
+    this.#marks = [world.mark()]
     this.#oldest = this.#now = 0
     this.#newLand = []
     this.#made = new Map(land.map((corner) => [keyOf(corner.i, corner.j), corner]))
@@ -376,7 +376,7 @@ export abstract class GroundBase<Body> {
 
   #go(to: number): true {
     const mark = this.#marks[to - this.#oldest]!
-    const changes = to < this.#now ? this.#world.rollBack(mark, 'keep') : this.#world.rollForward(mark)
+    const changes = to < this.#now ? this.#world.rollBack(mark, 'keep') : this.#world.redo(mark)
     this.#now = to
     const isThere = ({ took, settled }: Fallen<Body>) => took < to && settled >= to
     for (const each of this.#fallen) {
@@ -400,7 +400,7 @@ export abstract class GroundBase<Body> {
   }
 
   #mark(): void {
-    this.#marks.push(this.#world.checkpoint())
+    this.#marks.push(this.#world.mark())
     ++this.#now
     if (this.#marks.length > this.#undoSteps + 1) this.#forgetOldest()
   }

@@ -112,7 +112,7 @@ export class Islands extends Follower {
     if (typeof edit !== 'function') throw bad('edit', 'a function', edit)
     this.#refuseInTry()
     void this.current
-    const { world } = this, mark = world.checkpoint()
+    const { world } = this, mark = world.mark()
     let wereEdits = true
     this.#isTrying = true
     try {

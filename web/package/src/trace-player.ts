@@ -24,7 +24,7 @@ export class TracePlayer {
   /** The newest first. */
   #names = new Map<string, readonly PolygonId[]>()
   #given: PolygonId[] = []
-  // Marks behind, in order, and those ahead, the next one last. `went` is the one that it went back or forward to, and
+  // Marks behind, in order, and those ahead, the next one last. `went` is the one that it rolled back or forward to, and
   // `leadsOn` says that nothing was done since.
   #marks: Moment[] = []
   #ahead: Moment[] = []
@@ -80,7 +80,7 @@ export class TracePlayer {
         for (let k = 0; k < edit.times; ++k) for (const part of edit.edits) this.apply(part)
         return
       case 'mark':
-        this.#marks.push({ mark: world.checkpoint(), given: [...this.#given], names: new Map(this.#names) })
+        this.#marks.push({ mark: world.mark(), given: [...this.#given], names: new Map(this.#names) })
         return
       case 'back':
         return this.#back(edit.mark, edit.undone)
@@ -147,7 +147,7 @@ export class TracePlayer {
     }
   }
 
-  // --- Polygons, by names and otherwise. An id comes back for another polygon only by going back, where names go, too. The newest
+  // --- Polygons, by names and otherwise. An id comes back for another polygon only by a roll-back, where names go, too. The newest
   // one of a name that is alive, and in memory, is the one meant.
 
   #stateOf(id: PolygonId): 'there' | 'unloaded' | 'gone' {
@@ -231,7 +231,7 @@ export class TracePlayer {
   #forward(nth: number): void {
     if (this.#ahead.length === 0) return
     const to = nth % this.#ahead.length
-    this.#world.rollForward(this.#ahead[to]!.mark)
+    this.#world.redo(this.#ahead[to]!.mark)
     this.#marks.length = this.#went + 1
     this.#marks.push(...this.#ahead.splice(to).reverse())
     this.#went = this.#marks.length - 1
@@ -265,7 +265,7 @@ export class TracePlayer {
     this.#leadsOn = false
   }
 
-  /** The newest bytes that fit: the world may have gone back since it gave newer ones. */
+  /** The newest bytes that fit: the world may have rolled back since it gave newer ones. */
   #reload({ i0, j0, i1, j1 }: CellRect, isBackwards: boolean): void {
     const chunks = [...this.#shelf.values()].filter(({ i, j }) => i0 <= i && i <= i1 && j0 <= j && j <= j1)
     chunks.sort((a, b) => (isBackwards ? -1 : 1) * (a.i - b.i || a.j - b.j))

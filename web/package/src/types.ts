@@ -235,7 +235,7 @@ export interface InitOptions {
  * | remove, removeMany, setBlock | 'stale-handle', 'unloaded', 'capacity' |
  * | clear | 'cell-out-of-range', 'unloaded' |
  * | paint, carve | 'out-of-reach', 'capacity', 'unloaded' |
- * | rollBack, rollForward, forget | 'unknown-mark' |
+ * | rollBack, redo, forget | 'unknown-mark' |
  * | unload, reloadEmpty | 'cell-out-of-range' |
  * | reload | those of saves, from 'not-a-snapshot' to 'other-bytes' in ErrorCode |
  * | polygon | 'stale-handle', 'unloaded' |
@@ -270,11 +270,11 @@ export interface World {
 
   /** Brings the segments up to date with all edits, and returns what changed. */
   commit(): Changes
-  checkpoint(): Mark
-  /** The mark stays. Later ones are invalidated, or with 'keep' they are ahead, and rollForward() leads there. */
+  mark(): Mark
+  /** The mark stays. Later ones are invalidated, or with 'keep' they are ahead, and redo() leads there. */
   rollBack(mark: Mark, undone?: 'drop' | 'keep'): Changes
   /** To a mark that is ahead: what was undone comes back with its handles and ids, if nothing was edited since. */
-  rollForward(mark: Mark): Changes
+  redo(mark: Mark): Changes
   forget(mark: Mark): void
 
   /**

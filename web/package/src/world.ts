@@ -187,12 +187,12 @@ class EngineWorld implements World {
     this.#refuseInGroup()
     return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.commit(world)))
   }
-  checkpoint(): Mark { return this.#call.checkpoint(this.#live) }
+  mark(): Mark { return this.#call.mark(this.#live) }
   rollBack(mark: Mark, undone: 'drop' | 'keep' = 'drop'): Changes {
     if (undone !== 'drop' && undone !== 'keep') throw bad('undone', "'drop' or 'keep'", undone)
     return this.#roll(mark, undone === 'keep' ? 1 : 0)
   }
-  rollForward(mark: Mark): Changes { return this.#roll(mark, 2) }
+  redo(mark: Mark): Changes { return this.#roll(mark, 2) }
   #roll(mark: Mark, way: number): Changes {
     this.#refuseInGroup()
     whole('mark', mark)

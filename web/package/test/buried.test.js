@@ -162,7 +162,7 @@ for (const [name, makeCrowd] of engines) {
   test(`${name}: an undo and a load catch, too`, () => {
     for (const how of ['undo', 'load', 'another world']) {
       const { world, square, terrain, crowd, body } = resting()
-      const mark = world.checkpoint()
+      const mark = world.mark()
       world.clear(5, 0)
       terrain.sync(world.commit())
       for (let k = 0; k < 40; ++k) crowd.step(), terrain.afterStep()

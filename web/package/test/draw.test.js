@@ -42,7 +42,7 @@ test('a picture that draws the changed chunks anew is the picture of the world',
   const picture = new Map(outline.all().map((chunk) => [chunk.key, chunk.lines]))
   let random = 7
   const next = (n) => (random = (random * 48271) % 2147483647) % n
-  const mark = world.checkpoint()
+  const mark = world.mark()
   const show = (changes) => {
     for (const { key, lines } of outline.update(changes)) {
       if (lines.length === 0) picture.delete(key)
@@ -113,7 +113,7 @@ test('meshes that draw the changed chunks anew cover the ground, block by block,
     assert.deepEqual(areasOfMeshes(picture.values()), [[1, (25 * 13).toFixed(4)]])
     let random = 7
     const next = (n) => (random = (random * 48271) % 2147483647) % n
-    const mark = world.checkpoint()
+    const mark = world.mark()
     const show = (changes) => {
       const updated = ground.update(changes)
       for (const mesh of updated) mesh.indices.length === 0 ? picture.delete(mesh.key) : picture.set(mesh.key, mesh)
@@ -141,7 +141,7 @@ test('meshes: when they can be made, and changes that were left out', () => {
   world.add(0, 0, square, 1)
   assert.throws(() => new GroundMeshes(world), ({ code }) => code === 'uncommitted')
   world.commit()
-  const mark = world.checkpoint()
+  const mark = world.mark()
   assert.throws(() => new GroundMeshes(world), ({ code }) => code === 'uncommitted')
   world.forget(mark)
   for (const cells of [0, 1.5, '16', NaN]) {

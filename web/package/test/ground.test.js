@@ -343,7 +343,7 @@ test('only the squares that look different are drawn', () => {
   ground.free()
 })
 
-test('the game of web/examples plays: it streams, goes back, falls, is saved and loaded, and a second world is told', () => {
+test('the game of web/examples plays: it streams, rolls back, falls, is saved and loaded, and a second world is told', () => {
   const frames = Number(process.env.LGS_TEST_SCALE ?? 0) >= 1 ? 30_000 : 1_200
   const game = fileURLToPath(new URL('../../examples/game.js', import.meta.url))
   assert.match(execFileSync(process.execPath, [game, `${frames}`], { encoding: 'utf8' }), /both worlds are the same, 0 of 12 balls lost/)

@@ -41,7 +41,7 @@ test('they are those of all polygons, after each commit and roll-back', () => {
   fc.assert(fc.property(fc.array(edit, { maxLength: 40 }), (edits) => {
     const world = createWorld(), hashes = new GroundHashes(world), marks = []
     for (const { i, j, shape, block, what } of edits) {
-      if (what === 0) marks.push(world.checkpoint())
+      if (what === 0) marks.push(world.mark())
       else if (what === 1 && marks.length > 0) world.rollBack(marks.at(-1))
       else if (what === 2) world.clear(i, j)
       else world.replace(i, j, world.shape(shapes[shape]), block)

@@ -179,7 +179,7 @@ test('a bridge is cut: the arm is named, taken, and comes back by undo', () => {
   const world = arm(), islands = new Islands(world, { cells: [{ i0: -100, j0: -1, i1: 100, j1: -1 }] })
   assert.equal(islands.island(islands.all()[0]).anchors, 31)
   assert.deepEqual(islands.loose(), [])
-  const mark = world.checkpoint()
+  const mark = world.mark()
   world.clear(1, 3)
   islands.update(world.commit())
   const [cut] = islands.changes.cutOff
@@ -248,7 +248,7 @@ test('what an edit would cut off is known before it, and nobody else hears of it
     () => { world.clear(2, 3); world.commit(); world.clear(3, 3) },
     (mark) => world.rollBack(mark),
   ]) {
-    const fresh = new Islands(world), mark = world.checkpoint(), was = told(world)
+    const fresh = new Islands(world), mark = world.mark(), was = told(world)
     assert.throws(() => fresh.foresee(() => foul(mark)), code('left-out'))
     assert.deepEqual(told(world), was)
     assert.throws(() => fresh.take(fresh.all()[0]), code('left-out'))
@@ -271,7 +271,7 @@ test('what is refused, and has changed nothing', () => {
   world.clear(4, 3)
   assert.throws(() => new Islands(world), code('uncommitted'))
   world.commit()
-  const mark = world.checkpoint()
+  const mark = world.mark()
   assert.throws(() => new Islands(world), code('uncommitted'))
   world.forget(mark)
   const islands = new Islands(world, { blocks: [bedrock] })
@@ -296,7 +296,7 @@ test('what is refused, and has changed nothing', () => {
   const body = anew.take(anew.all()[1])
   assert.throws(() => anew.put(body, 0, 0), code('overlap'))
   anew.put(body)
-  const inEdits = world.checkpoint()
+  const inEdits = world.mark()
   anew.update(world.commit())
   assert.equal(anew.all().length, 3)
   const back = world.rollBack(inEdits)

@@ -92,7 +92,7 @@ test('edits, roll-backs and another world: the edges are those that a new terrai
   }))
   fc.assert(fc.property(fc.array(edit, { minLength: 1, maxLength: 8 }), (edits) => {
     const world = floor(), physics = new Physics(), options = { merge: true, material: (block) => ({ friction: block === 2 ? 0.1 : 0.5 }) }
-    const terrain = new PlanckTerrain(physics, world, options), mark = world.checkpoint()
+    const terrain = new PlanckTerrain(physics, world, options), mark = world.mark()
     const isRight = () => {
       const anew = new PlanckTerrain(new Physics(), world, options)
       assert.deepEqual(shown(terrain, world), shown(anew, world))

@@ -83,7 +83,7 @@ test('random worlds: pieces make up the cells, portals are what two of them shar
   fc.assert(fc.property(commits, fc.constantFrom(3, 4, 8), (steps, maxVertices) => {
     const world = createWorld(), ids = shapes.map((shape) => world.shape(shape.map((v) => v / 4)))
     const pieces = new Pieces(world, { maxVertices })
-    const mark = world.checkpoint()
+    const mark = world.mark()
     let known = all(pieces)
     const follow = (changes) => {
       const was = known, told = pieces.update(changes), now = all(pieces)

@@ -132,7 +132,7 @@ test('it follows commits and roll-backs, in place where only a ghost changes', (
   const next = (n) => (random = (random * 48271) % 2147483647) % n
   const marks = []
   for (let k = 0; k < 60; ++k) {
-    if (k % 10 === 0) marks.push(world.checkpoint())
+    if (k % 10 === 0) marks.push(world.mark())
     const region = circle(next(20) + next(16) / 16, next(8) / 8, 0.3 + next(10) / 10)
     if (next(2) === 0) world.carve(region)
     else world.paint(region, 1 + next(3), 'replace')

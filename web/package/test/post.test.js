@@ -56,7 +56,7 @@ test('what is not a copy can not be posted, and that is said', () => {
 
 test('versions and marks go into JSON, and out again', () => {
   const { world, changes } = dug()
-  const mark = world.checkpoint()
+  const mark = world.mark()
   const { version, back } = JSON.parse(JSON.stringify({ version: world.version, back: mark }))
   assert.equal(version, changes.after)
   world.clear(0, 0)

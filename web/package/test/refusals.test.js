@@ -97,7 +97,7 @@ test('numbers of the wrong kind', () => {
   }
   for (const v of [1n, -1, 0.5, 2 ** 53, NaN, '1', undefined]) {
     refuses('bad-argument', () => world.rollBack(v))
-    refuses('bad-argument', () => world.rollForward(v))
+    refuses('bad-argument', () => world.redo(v))
   }
   assert.equal(world.stats().polygons, 1)
 })

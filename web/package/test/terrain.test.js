@@ -72,7 +72,7 @@ for (const { name, make, inStep, count } of engines) {
     })
     assert.ok(tried > 0, 'something touched')
     // These changes are still the last ones of the world.
-    const mark = world.checkpoint()
+    const mark = world.mark()
     terrain.resync()
     assert.equal(count(game, world, terrain), world.stats().segments)
     world.clear(2, 0)

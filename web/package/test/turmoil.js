@@ -49,7 +49,7 @@ export class Turmoil {
     fill(width, 0, width, height - 1, 1)
     if (height > 3) fill(0, 0, width - 1, 1, 2)
     world.commit()
-    this.#marks = [world.checkpoint()]
+    this.#marks = [world.mark()]
     this.#crowd = makeCrowd()
     this.#terrain = this.#crowd.makeTerrain(world, { cellSize, chunkCells, ...arena.terrain })
   }
@@ -173,7 +173,7 @@ export class Turmoil {
   #redo(steps) {
     if (this.#now + 1 === this.#marks.length) return
     this.#now = Math.min(this.#marks.length - 1, this.#now + 1 + (steps % 2))
-    this.#sync(this.#world.rollForward(this.#marks[this.#now]))
+    this.#sync(this.#world.redo(this.#marks[this.#now]))
   }
 
   #load() {
@@ -181,7 +181,7 @@ export class Turmoil {
     const old = this.#world
     this.#world = loadWorld(this.#file)
     this.#square = this.#world.shape(unitSquare)
-    this.#marks = [this.#world.checkpoint()]
+    this.#marks = [this.#world.mark()]
     this.#now = 0
     this.#terrain.resync(this.#world)
     old.free()
@@ -193,7 +193,7 @@ export class Turmoil {
     this.#sync(this.#world.commit())
     this.#marks.length = this.#now + 1
     if (this.#now === mostUndo) this.#world.forget(this.#marks.shift())
-    this.#now = this.#marks.push(this.#world.checkpoint()) - 1
+    this.#now = this.#marks.push(this.#world.mark()) - 1
   }
 
   #act(move) {

@@ -235,10 +235,10 @@ test('save and load go on exactly', () => {
   fails('not-a-snapshot', () => loadWorld(Uint8Array.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16)), { offset: 0 })
 })
 
-test('checkpoints: there and back', () => {
+test('marks: there and back', () => {
   const { world } = floor(3)
   world.commit()
-  const mark = world.checkpoint()
+  const mark = world.mark()
   assert.ok(Number.isSafeInteger(mark))
   const before = sorted(world.segments())
   world.carve(circle(1.5, 0.5, 1))
@@ -256,28 +256,28 @@ test('checkpoints: there and back', () => {
 test('redo: what was undone comes back with its handles and ids', () => {
   const { world } = floor(3)
   world.commit()
-  const marks = [world.checkpoint()]
+  const marks = [world.mark()]
   const states = [world.save()]
   for (const x of [0.5, 1.5, 2.5]) {
     world.carve(circle(x, 0.5, 0.4))
     world.commit()
-    marks.push(world.checkpoint())
+    marks.push(world.mark())
     states.push(world.save())
   }
   world.rollBack(marks[0], 'keep')
   for (const k of [1, 3]) {
-    const forth = world.rollForward(marks[k])
+    const forth = world.redo(marks[k])
     assert.ok(forth.added.length > 0)
     assert.deepEqual(world.save(), states[k])
   }
   world.rollBack(marks[1], 'keep')
   world.clear(0, 0)
-  fails('unknown-mark', () => world.rollForward(marks[2])) // something was edited since
+  fails('unknown-mark', () => world.redo(marks[2])) // something was edited since
   world.rollBack(marks[1])
-  world.rollForward(marks[2]) // and that was undone
+  world.redo(marks[2]) // and that was undone
   assert.deepEqual(world.save(), states[2])
   world.rollBack(marks[0])
-  fails('unknown-mark', () => world.rollForward(marks[2])) // nothing was kept
+  fails('unknown-mark', () => world.redo(marks[2])) // nothing was kept
   fails('bad-argument', () => world.rollBack(marks[1], 'forget'))
 })
 
@@ -335,7 +335,7 @@ test('free() twice, and using what was freed', () => {
   world[Symbol.dispose ?? Symbol.for('Symbol.dispose')]?.()
   for (const use of [() => world.add(0, 0, 1, 1), () => world.commit(), () => world.stats(), () => world.segments(),
     () => world.carve(circle(0, 0, 1)), () => world.version, () => world.save(), () => world.shape(unitSquare),
-    () => world.polygons(), () => world.checkpoint(), () => world.at(0, 0), () => world.bounds(), () => world.loops()])
+    () => world.polygons(), () => world.mark(), () => world.at(0, 0), () => world.bounds(), () => world.loops()])
     fails('freed', use)
 })
 

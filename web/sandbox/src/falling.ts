@@ -67,7 +67,7 @@ export class Rocks {
     return this.#falling[0]?.ground.bodies.map(({ ground }) => ground) ?? []
   }
 
-  /** When a mark is made: going back to it brings back who falls now. */
+  /** When a mark is made: a roll-back to it brings back who falls now. */
   note(mark: Mark): void {
     const rocks = this.#rocks
     if (rocks.length > 0) this.#inAir.set(mark, rocks)
@@ -95,8 +95,8 @@ export class Rocks {
     for (const rock of rocks) for (const { ground } of this.#falling) ground.make(rock)
   }
 
-  /** After going back to a mark. */
-  goBack(changes: Changes, mark: Mark): void {
+  /** After a roll-back to a mark. */
+  rollBack(changes: Changes, mark: Mark): void {
     this.#islands!.update(changes)
     const wanted = new Set(this.#inAir.get(mark))
     for (const rock of this.#rocks) if (!wanted.delete(rock)) this.#remove(rock)

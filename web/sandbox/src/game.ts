@@ -41,7 +41,7 @@ export class Game {
       for (const side of this.sides) side.sync(change.changes)
       this.#freeRiders(change.cells)
       if (change.mark === null) this.rocks.update(change.changes)
-      else this.rocks.goBack(change.changes, change.mark)
+      else this.rocks.rollBack(change.changes, change.mark)
     }
     this.ground.onMark = (mark) => this.rocks.note(mark)
     this.rocks = new Rocks(this.ground)

@@ -8,7 +8,7 @@ export interface GroundChange {
   readonly changes: Changes
   /** The cells whose polygons may differ. */
   readonly cells: CellRect
-  /** A tile is put, a brush strokes; to undo is to go back; what falls leaves the ground, or is ground again. */
+  /** A tile is put, a brush strokes; to undo is to roll back; what falls leaves the ground, or is ground again. */
   readonly what: 'tile' | 'stroke' | 'undo' | 'fall'
   /** Of an undo: the moment that it led back to. */
   readonly mark: Mark | null
@@ -69,7 +69,7 @@ export class Ground {
   /** Edits between begin() and end() are undone together. */
   begin(): void {
     this.end()
-    this.#stroke = { mark: this.world.checkpoint(), edits: [], cells: null }
+    this.#stroke = { mark: this.world.mark(), edits: [], cells: null }
     this.onMark(this.#stroke.mark)
     this.onBegin()
   }

@@ -119,7 +119,7 @@ test('a stem is cut, its cap falls and is ground again; a tap takes one dig back
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6, `${await area(page)} and not ${whole}`)
   }, calm))
 
-test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z goes back', () =>
+test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z undoes', () =>
   first(async (page) => {
     const last = () => page.evaluate(() => window.sandbox.digger.ground.world.bounds().i1), before = await last()
     await page.keyboard.down('ArrowRight')

@@ -127,16 +127,16 @@ void addEdits(Doors& door) {
     lgs_world* const world = isFirst && w ? fresh : worldOf(s, w);
     return checked(lgs_commit_with(world, function ? inTurn : nullptr, nullptr, out), w && function);
   });
-  door("lgs_checkpoint",
-       [](Scene& s, Given w, Out<lgs_mark> out) { return checked(lgs_checkpoint(worldOf(s, w), out), w && out); });
+  door("lgs_set_mark",
+       [](Scene& s, Given w, Out<lgs_mark> out) { return checked(lgs_set_mark(worldOf(s, w), out), w && out); });
   door("lgs_roll_back", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_changes> out, Out<lgs_error> e) {
     return checked(lgs_roll_back(worldOf(s, w), mark, out, e), w);
   });
   door("lgs_roll_back_keeping", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_changes> out, Out<lgs_error> e) {
     return checked(lgs_roll_back_keeping(worldOf(s, w), mark, out, e), w);
   });
-  door("lgs_roll_forward", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_changes> out, Out<lgs_error> e) {
-    return checked(lgs_roll_forward(worldOf(s, w), mark, out, e), w);
+  door("lgs_redo", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_changes> out, Out<lgs_error> e) {
+    return checked(lgs_redo(worldOf(s, w), mark, out, e), w);
   });
   door("lgs_forget", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_error> e) {
     return checked(lgs_forget(worldOf(s, w), mark, e), w);
@@ -311,7 +311,7 @@ void addWorlds(Doors& door) {
     return checked(status, out && list.hasAll(file));
   });
   door("lgs_count", [](Scene& s, Given w, Out<lgs_stats> out) { return checked(lgs_count(worldOf(s, w), out), w); });
-  door("lgs_segments_version", [](Scene& s, Given w) { return lgs_segments_version(worldOf(s, w)); });
+  door("lgs_world_version", [](Scene& s, Given w) { return lgs_world_version(worldOf(s, w)); });
   door("lgs_max_segment_id", [](Scene& s, Given w) { return lgs_max_segment_id(worldOf(s, w)); });
 }
 

@@ -1,5 +1,5 @@
-// Doors of islands of the C interface. The views of a scene go on as a game's would; what is out of step, of another world
-// or made up is tried with copies.
+// Doors of islands of the C interface. The views of a scene go on as a game's would; what is out of step, of another
+// world or made up is tried with copies.
 #include "c_views.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct AnchorOfC {
 
 /// What becomes of a world before its views are told.
 struct EditOfC {
-  enum { build, clear, all, goBack, nothing, pending, isNotFollowed } which = build;
+  enum { build, clear, all, rollBack, nothing, pending, isNotFollowed } which = build;
   static constexpr lgs_cell_rect kRock{{1, 2}, {1, 4}};
 
   /// False, if a view can not know of it: it may say anything then, but must live.
@@ -53,8 +53,8 @@ struct EditOfC {
         if (which == isNotFollowed) static_cast<void>(lgs_follow_cells(world, 0, nullptr));
         EXPECT_EQ(lgs_clear(world, {{-9, -9}, {99, 99}}, nullptr, nullptr), LGS_OK);
         break;
-      case goBack:
-        EXPECT_EQ(lgs_checkpoint(world, &mark), LGS_OK);
+      case rollBack:
+        EXPECT_EQ(lgs_set_mark(world, &mark), LGS_OK);
         EXPECT_EQ(lgs_clear(world, kRock, nullptr, nullptr), LGS_OK);
         EXPECT_EQ(lgs_roll_back(world, mark, nullptr, nullptr), LGS_OK);
         EXPECT_EQ(lgs_forget(world, mark, nullptr), LGS_OK);
@@ -107,7 +107,7 @@ struct ToldOfC {
 LGS_VALUES(AnchorOfC, fmt::format("anchor {}", static_cast<int>(v.which)), {AnchorOfC::honest}, {AnchorOfC::none},
            {AnchorOfC::lying}, {AnchorOfC::reading})
 LGS_VALUES(EditOfC, fmt::format("edit {}", static_cast<int>(v.which)), {EditOfC::build}, {EditOfC::clear},
-           {EditOfC::all}, {EditOfC::goBack}, {EditOfC::nothing}, {EditOfC::pending}, {EditOfC::isNotFollowed})
+           {EditOfC::all}, {EditOfC::rollBack}, {EditOfC::nothing}, {EditOfC::pending}, {EditOfC::isNotFollowed})
 LGS_VALUES(ToldOfC, fmt::format("lists {}", static_cast<int>(v.which)), {ToldOfC::last}, {ToldOfC::none},
            {ToldOfC::early}, {ToldOfC::empty}, {ToldOfC::segments}, {ToldOfC::noLists}, {ToldOfC::ahead})
 

@@ -85,7 +85,7 @@ class Ground {
     group.keep();
     dropFuture();
     commit();
-    marks_.push_back(world_.checkpoint());
+    marks_.push_back(world_.mark());
     ++now_;
     if (marks_.size() > options_.undoSteps + 1) forgetOldest();
     return {};
@@ -210,7 +210,7 @@ class Ground {
     [[maybe_unused]] const auto follows = world_.followCells(true);
     assert(follows);
     islands_ = Islands(world_, options_.isAnchor);
-    marks_ = {world_.checkpoint()};
+    marks_ = {world_.mark()};
     oldest_ = now_ = 0;
   }
 
@@ -294,7 +294,7 @@ class Ground {
 
   bool go(std::int64_t to) {
     const Mark mark = marks_[static_cast<std::size_t>(to - oldest_)];
-    const bool went = (to < now_ ? world_.rollBack(mark, Undone::keep) : world_.rollForward(mark)).has_value();
+    const bool went = (to < now_ ? world_.rollBack(mark, Undone::keep) : world_.redo(mark)).has_value();
     if (!went) return false;
     now_ = to;
     const auto isThere = [&](const Fallen& f) { return f.took < now_ && f.settled >= now_; };

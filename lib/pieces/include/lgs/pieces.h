@@ -4,7 +4,7 @@
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::Pieces pieces(world);                                 // reads all polygons once
 //   world.commit();
-//   if (!pieces.update(world, world.commit()))                 // after each commit(), rollBack() and rollForward()
+//   if (!pieces.update(world, world.commit()))                 // after each commit(), rollBack() and redo()
 //     pieces = lgs::Pieces(world);                             // one was missed
 //   for (lgs::Cell cell : pieces.changed())                    // these cells have other pieces now
 //     for (const lgs::Piece& piece : pieces.solidPieces(cell)) …

@@ -3,7 +3,7 @@
 //
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::GroundHashes hashes(world);       // reads all polygons once
-//   if (!hashes.update(world, world.commit()))   // after each commit(), rollBack() and rollForward()
+//   if (!hashes.update(world, world.commit()))   // after each commit(), rollBack() and redo()
 //     hashes = lgs::GroundHashes(world);         // one was missed
 //   if (hashes.hash() != theirs) …         // then some square differs: compare those of the next level
 //

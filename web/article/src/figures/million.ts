@@ -117,7 +117,7 @@ const brush = (x: number, y: number) => circle(x, y, radius, 16)
 
 /** How long a dig and its commit take, and to take them back. In milliseconds. */
 function timeOf(world: World, x: number, y: number): number {
-  const mark = world.checkpoint()
+  const mark = world.mark()
   let least = Infinity
   for (let round = 0; round < rounds; ++round) {
     const start = performance.now()

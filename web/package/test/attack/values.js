@@ -153,7 +153,7 @@ export class Scene {
     world.add(2 ** 30, -(2 ** 30), this.square, 9)
     this.gone = world.add(31, 31, this.ramp, 3)
     world.commit()
-    this.marks = [world.checkpoint(), world.checkpoint()]
+    this.marks = [world.mark(), world.mark()]
     world.forget(this.marks[1])
     world.remove(this.gone)
     world.clear(0, 1)
@@ -193,8 +193,8 @@ export class Scene {
     if (needs('box2d3/', 'planck/cutOut')) this.#makeBox2d()
     if (needs('islands/Ground')) this.#makeGround('islands/Ground', new Ground({ anchors: { blocks: [9] } }))
     if (needs('planck/Ground')) this.#makeGround('planck/Ground', new PlanckGround(this.planck.physics, { anchors: { blocks: [9] } }))
-    this.marks[0] = world.checkpoint()
-    this.marks.push(other.checkpoint())
+    this.marks[0] = world.mark()
+    this.marks.push(other.mark())
   }
 
   /** Ids of what is there; none when somebody has freed the world. */

@@ -98,10 +98,10 @@ function edits(world: World): void {
   world.paint(region, 1, 'over')
   // @ts-expect-error: results are not to be changed
   result.removed.push(polygon)
-  const mark: Mark = world.checkpoint()
+  const mark: Mark = world.mark()
   const back: Changes = world.rollBack(mark)
   world.rollBack(mark, 'keep')
-  const forth: Changes = world.rollForward(mark)
+  const forth: Changes = world.redo(mark)
   void forth
   // @ts-expect-error: no such choice
   world.rollBack(mark, 'forget')

@@ -140,7 +140,7 @@ LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
  * in their order: the same edits in another order may give the same segments other ids and places. A list that is empty
  * may be NULL.
  *
- * The lists lead from one lgs_segments_version() to another. A copy of the segments is kept with the version,
+ * The lists lead from one lgs_world_version() to another. A copy of the segments is kept with the version,
  * too. The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were
  * left out, applied twice, or are those of another world. Both are the same if the commit found nothing to do. Where
  * they are not, the lists may be empty: inside the ground polygons come and go without a segment. */
@@ -178,7 +178,7 @@ LGS_API lgs_status lgs_commit_with(lgs_world* world, lgs_executor_fn executor, v
 /* Notes this moment. Edits may be pending. A mark is for this world and its later copies; no other world of this
  * process ever makes the same one. Its number means nothing else, and differs from run to run. While there are marks an
  * edit costs some more, and memory grows with the edits and commits since the oldest one. Cost: O(1). */
-LGS_API lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) LGS_NOTHROW;
+LGS_API lgs_status lgs_set_mark(lgs_world* world, lgs_mark* mark) LGS_NOTHROW;
 
 /* Rolls back to a mark: every later output, id and list is as if the edits and commits after it had not been made. So
  * ids that were given out after it name nothing until they are given out again. What a shape that was made after it
@@ -188,7 +188,7 @@ LGS_API lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) LGS_NOTHROW;
  * the mark. */
 LGS_API lgs_status lgs_roll_back(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) LGS_NOTHROW;
 
-/* The same, and what it undoes is kept: the later marks are ahead, and lgs_roll_forward() leads there. It takes memory
+/* The same, and what it undoes is kept: the later marks are ahead, and lgs_redo() leads there. It takes memory
  * until the world rolls back further without keeping, rolls back with keeping after an edit or another mark, or has no
  * mark left from before. */
 LGS_API lgs_status lgs_roll_back_keeping(lgs_world* world, lgs_mark mark, lgs_changes* changes,
@@ -198,8 +198,7 @@ LGS_API lgs_status lgs_roll_back_keeping(lgs_world* world, lgs_mark mark, lgs_ch
  * back with their polygon, shape and segment ids. Marks made since the roll-back are invalidated; those further ahead
  * stay ahead. `changes` is as for lgs_roll_back(). Refused: LGS_UNKNOWN_MARK, if the mark is not ahead, or if something
  * was edited, or a shape made, since the roll-back or redo, and that was not undone. Cost: as of lgs_roll_back(). */
-LGS_API lgs_status lgs_roll_forward(lgs_world* world, lgs_mark mark, lgs_changes* changes,
-                                    lgs_error* error) LGS_NOTHROW;
+LGS_API lgs_status lgs_redo(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) LGS_NOTHROW;
 
 /* Releases a mark. Other marks stay. Refused: LGS_UNKNOWN_MARK. */
 LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error) LGS_NOTHROW;

@@ -95,7 +95,7 @@ LGS_API lgs_status lgs_count(const lgs_world* world, lgs_stats* stats) LGS_NOTHR
  * same one. A copy has that of its original, until one of them changes. lgs_roll_back() brings back that of the mark,
  * unless chunks left or came back since. A loaded world has a new one. Versions mean nothing else: the same edits make
  * other ones in another run. */
-LGS_API uint64_t lgs_segments_version(const lgs_world* world) LGS_NOTHROW;
+LGS_API uint64_t lgs_world_version(const lgs_world* world) LGS_NOTHROW;
 
 /* The highest segment id in use so far: an array for what you know of segments needs one place more. Only
  * lgs_roll_back() lowers it, and the `removed` that it writes then names higher ones. */

@@ -56,7 +56,7 @@ class Terrain : public TerrainBase {
   /// snapshot of the physics and a mark of the world, all three between two steps and with nothing left to sync; and
   /// recall when both are back:
   ///
-  ///   const lgs::Mark mark = world.checkpoint();
+  ///   const lgs::Mark mark = world.mark();
   ///   const auto memory = terrain.remember();            // beside b2World_Snapshot()
   ///   …
   ///   b2World_Restore(physics, image, size);

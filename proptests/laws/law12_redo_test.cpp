@@ -1,4 +1,4 @@
-// Law 12, going forward again: what can no longer be redone takes no memory. That the edits come back as if they had
+// Law 12, redo: what can no longer be redone takes no memory. That the edits come back as if they had
 // never been undone is for any calls to show (oracle/check/laws/past.cpp).
 #include "proptests/support/worlds.h"
 
@@ -7,37 +7,37 @@
 namespace lgs::test {
 namespace {
 
-TEST(GoingForwardByHand, GoingBackFurtherWithoutKeepingDropsWhatIsAhead) {
+TEST(RedoByHand, RollingBackFurtherWithoutKeepingDropsWhatIsAhead) {
   World world;
-  std::vector<Mark> marks{world.checkpoint()};
+  std::vector<Mark> marks{world.mark()};
   for (std::int32_t i = 0; i < 3; ++i) {
     place(world, {40 * i, 0}, unitSquare());
     world.commit();
-    marks.push_back(world.checkpoint());
+    marks.push_back(world.mark());
   }
   ASSERT_TRUE(world.rollBack(marks[2], Undone::keep));
   ASSERT_TRUE(world.rollBack(marks[1]));
-  EXPECT_FALSE(world.rollForward(marks[3]));
+  EXPECT_FALSE(world.redo(marks[3]));
   place(world, {80, 0}, unitSquare(), 9);  // as many edits as there were
   world.commit();
-  EXPECT_FALSE(world.rollForward(marks[3]));
+  EXPECT_FALSE(world.redo(marks[3]));
 }
 
-TEST(GoingForwardByHand, WhatIsDroppedTakesNoMemory) {
+TEST(RedoByHand, WhatIsDroppedTakesNoMemory) {
   World world;
-  const Mark first = world.checkpoint();
+  const Mark first = world.mark();
   const auto work = [&](Undone undone) {
-    const Mark begin = world.checkpoint();
+    const Mark begin = world.mark();
     for (std::int32_t k = 1; k <= 3'000; ++k) {
       place(world, {1, 1}, {{0, 0}, {k, 0}, {0, k}});
       world.commit();
-      (void)world.checkpoint();
+      (void)world.mark();
       removeAll(world, {1, 1});
       world.commit();
     }
-    const Mark end = world.checkpoint();
+    const Mark end = world.mark();
     ASSERT_TRUE(world.rollBack(begin, undone));
-    EXPECT_EQ(world.rollForward(end).has_value(), undone == Undone::keep);
+    EXPECT_EQ(world.redo(end).has_value(), undone == Undone::keep);
     ASSERT_TRUE(world.rollBack(begin, undone));
     ASSERT_TRUE(world.forget(begin));
   };

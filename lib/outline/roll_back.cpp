@@ -1,4 +1,4 @@
-// The outline's part of going back and forward: what an update notes, and what a note is exchanged with.
+// The outline's part of roll-back and redo: what an update notes, and what a note is exchanged with.
 #include "geometry/sort.h"
 #include "outline/outline.h"
 
@@ -83,7 +83,7 @@ void Outline::noteRemoved(std::uint32_t id) {
     journal_->add(Thing::freeId, place).value = segments.places()[place];
 }
 
-// --- Going back and forward
+// --- Roll-back and redo
 
 void Outline::exchange(const Grid& grid, Journal& journal, Note& note) {
   if (note.thing == Thing::segment) {

@@ -43,7 +43,7 @@ TEST(Groups, WhatShowsThatAChunkLeftEndsThem) {
     world.commit();
     {
       const Transaction group = world.edit();
-      const Mark within = world.checkpoint();
+      const Mark within = world.mark();
       ASSERT_TRUE(world.unload({{32, 0}, {63, 31}}, {}));
       if (isRolledBack)
         ASSERT_TRUE(world.rollBack(within));
@@ -62,15 +62,15 @@ TEST(Groups, ACommitThatFindsNothingEndsNoRedo) {
   for (const bool isFollowed : {false, true}) {
     World world;
     EXPECT_TRUE(world.followCells(isFollowed));
-    const Mark before = world.checkpoint();
+    const Mark before = world.mark();
     place(world, {0, 0}, unitSquare());
     world.commit();
-    const Mark after = world.checkpoint();
+    const Mark after = world.mark();
     ASSERT_TRUE(world.rollBack(before, Undone::keep));
     world.commit();
-    const Mark since = world.checkpoint();
+    const Mark since = world.mark();
     world.commit();
-    ASSERT_TRUE(world.rollForward(after));
+    ASSERT_TRUE(world.redo(after));
     EXPECT_EQ(world.changesOfRollBack().added.size(), 4U);
     EXPECT_EQ(world.cellChanges().size(), isFollowed ? 1U : 0U);
     EXPECT_FALSE(world.forget(since)) << "it is void";
@@ -85,7 +85,7 @@ TEST(UnloadedByHand, AWalkWithMarksLeavesNothingBehind) {
   for (std::int32_t k = 0; k < 8; ++k) place(world, {32 * k, 0}, unitSquare());
   world.commit();
   Shelf shelf;
-  Mark mark = world.checkpoint();
+  Mark mark = world.mark();
   std::uint64_t bytes = 0;
   for (std::int32_t k = 0; k < 2'000; ++k) {
     const CellRect there{{32 * (k % 8), 0}, {32 * (k % 8) + 31, 31}};
@@ -93,7 +93,7 @@ TEST(UnloadedByHand, AWalkWithMarksLeavesNothingBehind) {
     if (k % 3 != 0) world.commit();
     ASSERT_TRUE(shelf.reload(world, there.min));
     world.commit();
-    const Mark next = world.checkpoint();
+    const Mark next = world.mark();
     ASSERT_TRUE(world.forget(mark));
     mark = next;
     if (k == 200) bytes = world.stats().bytes;

@@ -1,4 +1,4 @@
-// Law 12, marks, groups and copies: to go back to a mark, or to copy a world, is never having left.
+// Law 12, marks, groups and copies: to roll back to a mark, or to copy a world, is never having left.
 #include "oracle/trace/call_text.h"
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
@@ -11,7 +11,7 @@
 namespace lgs::test {
 namespace {
 
-/// Makes calls, among them marks, to which it goes back and which it forgets. The caller itself is told nothing.
+/// Makes calls, among them marks, to which it rolls back and which it forgets. The caller itself is told nothing.
 void wander(Caller& caller, const Setting& setting, const Calls& calls) {
   Caller away(std::move(caller.world), setting.corner);
   away.given = caller.given;
@@ -20,7 +20,7 @@ void wander(Caller& caller, const Setting& setting, const Calls& calls) {
 }
 
 /// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/reports/long-runs.md.
-TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
+TEST(RollBack, ALongGameOfPredictionsStaysInStep) {
   const Setting setting{{30, -2}, [] {
                           oracle::PreservePairs pairs;
                           for (Block a = 0; a < 4; ++a)
@@ -36,7 +36,7 @@ TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
       for (int k = choices.below(6); k > 0; --k) some.list.push_back(drawCall(choices, oracle::Habits()));
       return some;
     };
-    const Mark confirmed = client.world.checkpoint();
+    const Mark confirmed = client.world.mark();
     for (int ahead = choices.below(4); ahead > 0; --ahead) {
       wander(client, setting, calls());
       client.world.commit();
@@ -50,27 +50,27 @@ TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
   }
 }
 
-TEST(GoingBackByHand, MarksThatAreNoneAreRefused) {
+TEST(RollBackByHand, MarksThatAreNoneAreRefused) {
   World world;
   EXPECT_EQ(world.rollBack({}).error().code, ErrorCode::unknownMark);
   EXPECT_EQ(world.forget(Mark{7}).error().code, ErrorCode::unknownMark);
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   EXPECT_TRUE(world.forget(mark));
   const auto refused = refusal(world.rollBack(mark));
   EXPECT_EQ(refused.code, ErrorCode::unknownMark);
   EXPECT_EQ(message(refused),
-            "this world has no such mark; it was forgotten, or the world went back to a moment before it");
-  EXPECT_NE(world.checkpoint(), mark);
+            "this world has no such mark; it was forgotten, or the world rolled back to a moment before it");
+  EXPECT_NE(world.mark(), mark);
 }
 
-TEST(GoingBackByHand, MarksAreForOneWorldAndItsCopies) {
+TEST(RollBackByHand, MarksAreForOneWorldAndItsCopies) {
   World world;
-  const Mark before = world.checkpoint();
+  const Mark before = world.mark();
   place(world, {}, unitSquare());
   world.commit();
   World copy = world;
   World loaded = *World::load(saved(world), {});
-  const Mark ofWorld = world.checkpoint(), ofCopy = copy.checkpoint(), ofLoaded = loaded.checkpoint();
+  const Mark ofWorld = world.mark(), ofCopy = copy.mark(), ofLoaded = loaded.mark();
   for (const Mark mark : {before, ofWorld, ofCopy}) EXPECT_FALSE(loaded.rollBack(mark));
   for (const Mark mark : {ofCopy, ofLoaded}) EXPECT_FALSE(world.rollBack(mark));
   for (const Mark mark : {ofWorld, ofLoaded}) EXPECT_FALSE(copy.rollBack(mark));
@@ -79,9 +79,9 @@ TEST(GoingBackByHand, MarksAreForOneWorldAndItsCopies) {
   EXPECT_FALSE(world.isEmpty({}));
 }
 
-TEST(GoingBackByHand, ACopyHasNoGroup) {
+TEST(RollBackByHand, ACopyHasNoGroup) {
   World world;
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   std::optional<World> during;
   {
     Transaction group = world.edit();
@@ -103,9 +103,9 @@ TEST(GoingBackByHand, ACopyHasNoGroup) {
   EXPECT_LT(during->stats().bytes, after.stats().bytes + 1'000) << "it keeps what is needed to undo the group";
 }
 
-TEST(GoingBackByHand, AFailedGroupLeavesWhatARollBackReported) {
+TEST(RollBackByHand, AFailedGroupLeavesWhatARollBackReported) {
   World world;
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   place(world, {0, 0}, unitSquare(), 1);
   world.commit();
   ASSERT_TRUE(world.rollBack(mark));
@@ -118,7 +118,7 @@ TEST(GoingBackByHand, AFailedGroupLeavesWhatARollBackReported) {
   EXPECT_EQ(copyOf(world.changesOfRollBack()), copyOf(reported));
 }
 
-TEST(GoingBackByHand, ATransactionThatWasCommittedInStays) {
+TEST(RollBackByHand, ATransactionThatWasCommittedInStays) {
   World world;
   {
     const Transaction group = world.edit();
@@ -130,9 +130,9 @@ TEST(GoingBackByHand, ATransactionThatWasCommittedInStays) {
   EXPECT_FALSE(world.isEmpty({1, 0}));
 }
 
-TEST(GoingBackByHand, ATransactionThatWasGoneBackBeyondEnds) {
+TEST(RollBackByHand, ATransactionThatWasGoneBackBeyondEnds) {
   World world;
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   {
     const Transaction group = world.edit();
     place(world, {}, unitSquare());
@@ -143,12 +143,12 @@ TEST(GoingBackByHand, ATransactionThatWasGoneBackBeyondEnds) {
   EXPECT_FALSE(world.isEmpty({1, 0}));
 }
 
-TEST(GoingBackByHand, NothingIsKeptWithoutMarks) {
+TEST(RollBackByHand, NothingIsKeptWithoutMarks) {
   World world;
   std::vector<Mark> marks;
   const auto work = [&](bool isMarked = false) {
     for (int k = 0; k < 100; ++k) {
-      if (isMarked) marks.push_back(world.checkpoint());
+      if (isMarked) marks.push_back(world.mark());
       fill(world, {{0, 0}, {20, 20}});
       world.commit();
       ASSERT_TRUE(world.clear(CellRect{{0, 0}, {20, 20}}));
@@ -164,14 +164,14 @@ TEST(GoingBackByHand, NothingIsKeptWithoutMarks) {
   EXPECT_LT(world.stats().bytes, bytes + 10'000);
 }
 
-TEST(GoingBackByHand, WhatCellsHeldIsForgottenWithTheMark) {
+TEST(RollBackByHand, WhatCellsHeldIsForgottenWithTheMark) {
   World world;
-  std::vector<Mark> marks{world.checkpoint()};
+  std::vector<Mark> marks{world.mark()};
   const auto work = [&] {
     for (std::int32_t k = 1; k <= 3'000; ++k) {
       place(world, {}, {{0, 0}, {k, 0}, {0, k}});
       world.commit();
-      marks.push_back(world.checkpoint());
+      marks.push_back(world.mark());
       removeAll(world, {});
       world.commit();
     }
@@ -186,9 +186,9 @@ TEST(GoingBackByHand, WhatCellsHeldIsForgottenWithTheMark) {
   EXPECT_EQ(world.stats().contents, 0U);
 }
 
-TEST(GoingBackByHand, NothingIsKeptOfCommitsThatFindNothing) {
+TEST(RollBackByHand, NothingIsKeptOfCommitsThatFindNothing) {
   World world;
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   place(world, {}, unitSquare());
   world.commit();
   world.commit();
@@ -200,11 +200,11 @@ TEST(GoingBackByHand, NothingIsKeptOfCommitsThatFindNothing) {
 }
 
 // After some commits each side of the square has the id that it had.
-TEST(GoingBackByHand, AnIdThatNamesAnotherSegmentAtTheSamePlaceIsToldAsGoneAndCome) {
+TEST(RollBackByHand, AnIdThatNamesAnotherSegmentAtTheSamePlaceIsToldAsGoneAndCome) {
   World world;
   const PolygonHandle square = place(world, {0, 0}, unitSquare());
   const std::vector<SegmentId> ids = world.commit().added;
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   const auto starts = [&] {
     std::vector<std::optional<Point>> all;
     for (const SegmentId id : ids) {
@@ -226,10 +226,10 @@ TEST(GoingBackByHand, AnIdThatNamesAnotherSegmentAtTheSamePlaceIsToldAsGoneAndCo
   EXPECT_TRUE(world.changesOfRollBack().relinked.empty());
 }
 
-TEST(GoingBackByHand, FollowersAreToldWhatWasCommittedAndNotWhatIsPending) {
+TEST(RollBackByHand, FollowersAreToldWhatWasCommittedAndNotWhatIsPending) {
   World world;
   ASSERT_TRUE(world.followCells(true));
-  const Mark mark = world.checkpoint();
+  const Mark mark = world.mark();
   place(world, {1, 0}, unitSquare());
   world.commit();
   ASSERT_TRUE(world.clear(Cell{1, 0}));

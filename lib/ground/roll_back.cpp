@@ -1,4 +1,4 @@
-// The ground's part of going back and forward: what a note of it is exchanged with.
+// The ground's part of roll-back and redo: what a note of it is exchanged with.
 #include "ground/ground.h"
 
 #include <algorithm>

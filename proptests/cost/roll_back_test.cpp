@@ -13,7 +13,7 @@ namespace lgs::cost_test {
 namespace {
 
 struct HeldCosts {
-  std::uint64_t trial = 0;  ///< a mark, an edit, going back, the mark is let go
+  std::uint64_t trial = 0;  ///< a mark, an edit, a roll-back, the mark is let go
   std::uint64_t edit = 0;   ///< an edit and its commit
   std::uint64_t group = 0;  ///< a group of one edit that is kept, and a commit
 };
@@ -25,7 +25,7 @@ HeldCosts costsAfter(std::int32_t side, bool isCommittedBetween) {
   const ShapeId square = world.shape(kUnitSquare).value();
   EXPECT_TRUE(world.fill({{0, 0}, {259, 259}}, square, 1));
   world.commit();
-  const Mark old = world.checkpoint();
+  const Mark old = world.mark();
   EXPECT_TRUE(world.clear(CellRect{{0, 0}, {side - 1, side - 1}}));
   world.commit();
   HeldCosts costs;
@@ -33,7 +33,7 @@ HeldCosts costsAfter(std::int32_t side, bool isCommittedBetween) {
     const std::int32_t column = 204 + 2 * k;
     const auto dig = [&](std::int32_t row) { EXPECT_EQ(world.clear(Cell{column, row}).value(), 1U); };
     costs.trial = visitsOf([&] {
-      const Mark mark = world.checkpoint();
+      const Mark mark = world.mark();
       dig(210);
       if (isCommittedBetween) world.commit();
       EXPECT_TRUE(world.rollBack(mark));
@@ -66,7 +66,7 @@ HeldCosts leastAfter(std::int32_t side, bool isCommittedBetween) {
   return least;
 }
 
-TEST(GoingBackCost, DoesNotGrowWithWhatWasEditedBefore) {
+TEST(RollBackCost, DoesNotGrowWithWhatWasEditedBefore) {
   for (const bool isCommittedBetween : {false, true}) {
     const HeldCosts few = leastAfter(10, isCommittedBetween), many = leastAfter(200, isCommittedBetween);
     const auto spare = [](std::uint64_t cost) { return cost + cost / 10; };
@@ -78,16 +78,16 @@ TEST(GoingBackCost, DoesNotGrowWithWhatWasEditedBefore) {
 
 /// Many edits of the same cells after each of some marks; then all marks but the first go, the last one first or the
 /// first one first. That costs O(log n) an edit in all, and what the first mark needs is there.
-TEST(GoingBackCost, OfMarksThatGoIsThatOfTheirEdits) {
+TEST(RollBackCost, OfMarksThatGoIsThatOfTheirEdits) {
   for (const bool lastFirst : {false, true}) {
     const auto cost = [&](std::int32_t edits) {
       constexpr std::int32_t kWidth = 64;
       World world;
       const ShapeId square = world.shape(kUnitSquare).value();
-      std::vector<Mark> marks{world.checkpoint()};
+      std::vector<Mark> marks{world.mark()};
       for (Block block = 0; block < 50; ++block) {
         for (std::int32_t k = 0; k < edits; ++k) EXPECT_TRUE(world.replace({k % kWidth, k / kWidth}, square, block));
-        marks.push_back(world.checkpoint());
+        marks.push_back(world.mark());
       }
       const std::uint64_t visits = visitsOf([&] {
         for (std::size_t k = 1; k < marks.size(); ++k)
