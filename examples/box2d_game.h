@@ -63,7 +63,7 @@ class Game {
   }
 
   std::string picture() { return lgs::writeSvg(world_, {.over = physics_.drawn(), .cellsPerUnit = 1 / kCellSize}); }
-  void tell() const {
+  void print() const {
     std::printf("%d edits, %d undone, %d done again, %d clicks on ground, %d pushed, %d held\n", edits_, undone_,
                 redone_, picked_, pushed_, held_);
   }
@@ -158,7 +158,7 @@ template <class Physics>
 int run(int count, const char* const* arguments) {
   Game<Physics> game;
   const int lost = game.play();
-  game.tell();
+  game.print();
   std::printf("%d of %d bodies lost after %d frames\n", lost, kBodies, kFrames);
   if (count > 1) std::ofstream(arguments[1]) << game.picture();
   return lost == 0 ? 0 : 1;

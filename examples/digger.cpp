@@ -43,7 +43,7 @@ class Digger {
              .staying = isBedrock,
              .land = hills,
              .undoSteps = 20,
-             .follow = [this](const lgs::World&, const lgs::Changes& changes) { server_ ? tell(changes) : void(); }},
+             .follow = [this](const lgs::World&, const lgs::Changes& changes) { server_ ? publish(changes) : void(); }},
             physics_.world(), lgs::box2d::TerrainOptions{.cellSize = kMetres, .merge = true},
             lgs::box2d::FallingOptions{.density = [](lgs::Block b) { return b == kStone ? 2.5F : 1.5F; }}) {
     connect();
@@ -78,7 +78,7 @@ class Digger {
   /// Whether the second world has the same ground, once all of it is in memory to be asked for.
   bool isInStep() {
     ground_.window({{-128, -64}, {288, 95}});
-    for (int k = 0; k < 10 && !client_->isInStep(); ++k) tellAll();
+    for (int k = 0; k < 10 && !client_->isInStep(); ++k) heartbeat();
     return client_->isInStep();
   }
   std::size_t drawn() const { return drawn_; }
@@ -98,25 +98,25 @@ class Digger {
                                      lgs::shelfInMemory());
     server_.emplace(ground_.world(), lgs::GroundHashes(all->world));
     client_.emplace(theirs_);
-    tellAll();
+    heartbeat();
   }
   /// The second world hears of each commit.
   void connect() {
     server_.emplace(ground_.world());
     if (theirs_.followCells(true)) client_.emplace(theirs_);
   }
-  void tell(const lgs::Changes& changes) { talk(server_->update(changes)); }
-  void tellAll() { talk(server_->signOfLife()); }
+  void publish(const lgs::Changes& changes) { talk(server_->update(changes)); }
+  void heartbeat() { talk(server_->signOfLife()); }
   /// What the other end does is not the terrain's part of the frame.
   void talk(const in_step::Bytes& message) {
     const double begin = processorSeconds();
-    std::vector<in_step::Bytes> questions = client_->hear(message);
+    std::vector<in_step::Bytes> questions = client_->receive(message);
     for (const in_step::Bytes& again : client_->tick()) questions.push_back(again);
     while (!questions.empty()) {
       const auto answer = server_->answer(questions.back());
       questions.pop_back();
       if (!answer) continue;  // that chunk is not in memory
-      for (const in_step::Bytes& more : client_->hear(*answer)) questions.push_back(more);
+      for (const in_step::Bytes& more : client_->receive(*answer)) questions.push_back(more);
     }
     otherSeconds_ += processorSeconds() - begin;
   }
@@ -142,7 +142,7 @@ class Digger {
 class Times {
  public:
   void add(double seconds) { all_.push_back(seconds * 1e6); }
-  void tell() {
+  void print() {
     std::ranges::sort(all_);
     const auto at = [this](double part) {
       return all_[static_cast<std::size_t>(part * static_cast<double>(all_.size() - 1))];
@@ -185,7 +185,7 @@ int main(int count, char** arguments) {
   int rocks = 0;
   digger.ground().forEachRock([&](auto, const lgs::Body&) { ++rocks; });
   const bool isInStep = digger.isInStep();
-  times.tell();
+  times.print();
   std::printf("%d frames, %zu squares drawn, %d rocks in the air, %s, %.1f MB at first and %.1f MB at last\n", frames,
               digger.drawn(), rocks, isInStep ? "both worlds in step" : "the worlds differ",
               static_cast<double>(early) / 1e6, static_cast<double>(late) / 1e6);

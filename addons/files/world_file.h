@@ -45,12 +45,12 @@ class WorldFile {
   static tl::expected<WorldFile, std::string> open(const std::filesystem::path& path);
 
   /// Writes the chunks that have a cell of a rectangle and whose hashes are not those in the file. When it returns they
-  /// are there, whatever happens then; or none of them is, and the reason is told. Unloaded chunks stay in the file as
+  /// are there, whatever happens then; or none of them is, and the reason is returned. Unloaded chunks stay in the file as
   /// they are. No edit may be pending, and `hashes` are those of the world. Cost: in proportion to the chunks that differ, and to those there are in the rectangle.
   [[nodiscard]] Done save(const lgs::World& world, const lgs::GroundHashes& hashes, const lgs::CellRect& cells);
 
   /// Puts the ground of the chunks that have a cell of a rectangle in the place of what stands there: all of them or
-  /// none. The next commit tells it. A damaged chunk is refused, and so is one that is unloaded.
+  /// none. The next commit reports it. A damaged chunk is refused, and so is one that is unloaded.
   [[nodiscard]] Done load(lgs::World& world, const lgs::CellRect& cells) const;
 
   /// All chunks, by column, then by row.

@@ -15,7 +15,7 @@ void Client::set(const Ground& ground, const lgs::CellRect& cells) {
   update(world_.commit());
 }
 
-std::vector<Bytes> Client::hear(std::span<const std::byte> message) {
+std::vector<Bytes> Client::receive(std::span<const std::byte> message) {
   const auto news = readNews(message);
   if (!news || news->turn < turn_) return {};
   const bool isNewTurn = news->turn > turn_;

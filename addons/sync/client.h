@@ -20,7 +20,7 @@ class Client {
   explicit Client(lgs::World& world);
 
   /// To be called with each message. Returns what to send to the server. No edit of the world may be pending.
-  std::vector<Bytes> hear(std::span<const std::byte> message);
+  std::vector<Bytes> receive(std::span<const std::byte> message);
 
   /// To be called now and then, more seldom than an answer takes: returns what to send, if both ends differed at the
   /// last message; once more if there was no answer, as that may have been lost.

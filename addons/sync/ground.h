@@ -41,7 +41,7 @@ inline constexpr std::size_t kMaxCells = 1 << 12;
 inline constexpr std::size_t kMaxVertices = kMaxCells * 1'024;
 
 /// Makes the cells hold this, and empties all other cells of a rectangle that has them all, or is empty. All of it
-/// happens, or nothing. What stands there already keeps its handle. The next commit tells it.
+/// happens, or nothing. What stands there already keeps its handle. The next commit reports it.
 [[nodiscard]] bool setGround(lgs::World& world, const Ground& ground, const lgs::CellRect& cells);
 
 }  // namespace in_step

@@ -8,7 +8,7 @@
 
 namespace in_step {
 
-/// What a client asks. A server's turn is the number of its commits.
+/// What a client requests. A server's turn is the number of its commits.
 struct Question {
   enum class Kind : std::uint8_t {
     parts,   ///< the hashes of the parts of a square above kLeaf
@@ -29,7 +29,7 @@ struct News {
   Kind kind = Kind::edits;
   std::uint64_t turn = 0;
   std::uint64_t hash = 0;  ///< of the world
-  Square square;           ///< edits: the least one that all ground lies in; of answers: which one was asked for
+  Square square;           ///< edits: the least one that all ground lies in; of answers: which one was requested
   Ground ground;           ///< edits: the cells that were changed; ground: the cells of the square that hold something
   Parts parts;
 };

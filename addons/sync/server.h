@@ -42,7 +42,7 @@ class Server {
   const lgs::World& world_;
   lgs::GroundHashes hashes_;
   std::set<lgs::Cell> away_;  ///< unloaded chunks, by their lower-left cells
-  std::uint64_t version_;     ///< of the world, as it was told last
+  std::uint64_t version_;     ///< of the world, as it was reported last
   std::uint64_t turn_ = 1;
 };
 

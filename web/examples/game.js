@@ -32,7 +32,7 @@ const balls = Array.from({ length: 12 }, (_, k) => {
 
 /** The other end of the line: squares come as text, and are set in a world of its own. */
 const theirs = createWorld()
-function hear(line) {
+function receive(line) {
   const { cells, fills } = JSON.parse(line)
   theirs.clear(cells)
   for (const { block, vertices } of fills) {
@@ -42,7 +42,7 @@ function hear(line) {
   theirs.commit()
 }
 const middle = (vertices, axis) => vertices.reduce((sum, v, k) => sum + (k % 2 === axis ? v : 0), 0) / (vertices.length / 2)
-const say = (cells, fills) => hear(JSON.stringify({ cells, fills: fills.map(({ block, vertices }) => ({ block, vertices: [...vertices] })) }))
+const say = (cells, fills) => receive(JSON.stringify({ cells, fills: fills.map(({ block, vertices }) => ({ block, vertices: [...vertices] })) }))
 /** What only left memory looks different here alone: it is told when it comes back. */
 function tell() {
   for (const { cells, fills } of ground.draw()) if (ground.world.firstUnloaded(cells) === null) say(cells, fills)

@@ -112,7 +112,7 @@ class Game {
       const auto ask = [&](const std::vector<Bytes>& questions) {
         for (const Bytes& question : questions) follower->up.send(question, chance_);
       };
-      for (const Bytes& message : follower->down.come(chance_, isQuiet)) ask(follower->client.hear(message));
+      for (const Bytes& message : follower->down.come(chance_, isQuiet)) ask(follower->client.receive(message));
       if (chance_.chance(30)) ask(follower->client.tick());
       for (const Bytes& question : follower->up.come(chance_, isQuiet)) {
         follower->down.send(must(server_.answer(question)), chance_);
@@ -156,17 +156,17 @@ struct Talk {
   explicit Talk(World& serversWorld, World& clientsWorld)
       : server(followed(serversWorld)), client(followed(clientsWorld)) {}
 
-  void hear(const Bytes& message) {
+  void receive(const Bytes& message) {
     bytes += message.size();
     largest = std::max(largest, message.size());
     ++messages;
-    for (const Bytes& question : client.hear(message)) waiting.push_back(question);
+    for (const Bytes& question : client.receive(message)) waiting.push_back(question);
     while (!waiting.empty()) {
       const Bytes question = std::move(waiting.back());
       waiting.pop_back();
       bytes += question.size();
       ++messages;
-      hear(must(server.answer(question)));
+      receive(must(server.answer(question)));
     }
   }
 
@@ -199,7 +199,7 @@ World rampsOf(std::int32_t side) {
 TEST(SyncByHand, OneCellOfAMillionIsFoundAndMendedInFourKilobytes) {
   World ours = rampsOf(1'000), theirs = ours;
   Talk talk(ours, theirs);
-  talk.hear(talk.server.signOfLife());
+  talk.receive(talk.server.signOfLife());
   EXPECT_TRUE(talk.client.isInStep());
   std::mt19937 random(2);
   for (int k = 0; k < 20; ++k) {
@@ -209,7 +209,7 @@ TEST(SyncByHand, OneCellOfAMillionIsFoundAndMendedInFourKilobytes) {
     talk.client.update(theirs.commit());
     talk.bytes = talk.messages = 0;
     EXPECT_FALSE(talk.client.isInStep());
-    talk.hear(talk.server.signOfLife());
+    talk.receive(talk.server.signOfLife());
     EXPECT_TRUE(talk.client.isInStep());
     EXPECT_LE(talk.bytes, 4'096U);
     EXPECT_LE(talk.messages, 13U);
@@ -221,7 +221,7 @@ TEST(SyncByHand, OneCellOfAMillionIsFoundAndMendedInFourKilobytes) {
 TEST(SyncByHand, WhoComesLateGetsAllOfIt) {
   World ours = rampsOf(300), theirs;
   Talk talk(ours, theirs);
-  talk.hear(talk.server.signOfLife());
+  talk.receive(talk.server.signOfLife());
   EXPECT_TRUE(talk.client.isInStep());
   EXPECT_TRUE(samePolygons(ours, theirs));
   std::cout << "90,000 ramps: " << talk.bytes << " bytes in " << talk.messages << " messages, the largest has "
@@ -232,7 +232,7 @@ TEST(SyncByHand, WhatIsUnloadedIsNotGone) {
   World ours = rampsOf(60), theirs = ours;
   const World whole = ours;
   Talk talk(ours, theirs);
-  const auto tell = [&] { talk.hear(talk.server.update(ours.commit())); };
+  const auto tell = [&] { talk.receive(talk.server.update(ours.commit())); };
   std::vector<std::byte> left;
   ASSERT_TRUE(ours.unload({{0, 0}, {31, 31}},
                           [&](Cell, std::span<const std::byte> bytes) { left.assign(bytes.begin(), bytes.end()); }));
@@ -252,13 +252,13 @@ TEST(SyncByHand, WhatIsUnloadedIsNotGone) {
 TEST(SyncByHand, WhoFollowsGetsEditsAndNothingElse) {
   World ours = rampsOf(40), theirs = ours;
   Talk talk(ours, theirs);
-  talk.hear(talk.server.signOfLife());
+  talk.receive(talk.server.signOfLife());
   for (std::int32_t k = 0; k < 20; ++k) {
     const PolygonHandle stays = theirs.polygons({k, 1}).front().handle;
     ASSERT_TRUE(ours.clear(Cell{k, 0}));
     place(ours, {k, 60}, unitSquare());
     talk.messages = 0;
-    talk.hear(talk.server.update(ours.commit()));
+    talk.receive(talk.server.update(ours.commit()));
     EXPECT_EQ(talk.messages, 1U);
     EXPECT_TRUE(talk.client.isInStep());
     EXPECT_TRUE(theirs.polygon(stays)) << "what did not change keeps its handle";
@@ -276,7 +276,7 @@ TEST(SyncByHand, WhatDidNotChangeInACellKeepsItsHandle) {
   Talk talk(ours, theirs);
   const PolygonHandle stays = theirs.polygons({}).back().handle;
   ASSERT_TRUE(ours.remove(goes));
-  talk.hear(talk.server.update(ours.commit()));
+  talk.receive(talk.server.update(ours.commit()));
   EXPECT_TRUE(theirs.polygon(stays));
   EXPECT_TRUE(samePolygons(ours, theirs));
 }
@@ -292,7 +292,7 @@ TEST(SyncByHand, WhatIsOlderThanWhatWasHeardIsLeftOut) {
   }
   Block latest = 0;
   for (const Block heard : {2U, 1U, 3U, 3U, 2U, 1U}) {
-    talk.hear(told[heard - 1]);
+    talk.receive(told[heard - 1]);
     latest = std::max(latest, heard);
     EXPECT_EQ(theirs.polygons({0, 0}).front().block, latest);
     EXPECT_TRUE(talk.client.isInStep());
@@ -305,7 +305,7 @@ TEST(SyncByHand, WhatIsTooMuchForAMessageIsFound) {
   fill(ours, {{0, 0}, {99, 99}});
   const Bytes told = talk.server.update(ours.commit());
   EXPECT_LT(told.size(), 30U);
-  talk.hear(told);
+  talk.receive(told);
   EXPECT_TRUE(samePolygons(ours, theirs));
   std::cout << "10,000 full blocks: " << talk.bytes << " bytes in " << talk.messages << " messages\n";
 }
@@ -319,7 +319,7 @@ TEST(SyncByHand, WhatIsRefusedIsNotHalfDone) {
   in_step::News news;
   news.turn = 3;
   news.ground = {{{4, 5}, {square}}, {{5, 5}, {}}, {{6, 5}, {square, ramp}}};  // the last two overlap
-  EXPECT_FALSE(client.hear(bytesOf(news)).empty()) << "it asks for what it does not have";
+  EXPECT_FALSE(client.receive(bytesOf(news)).empty()) << "it asks for what it does not have";
   EXPECT_TRUE(world.isEmpty({4, 5}) && !world.isEmpty({5, 5}) && world.isEmpty({6, 5}));
   EXPECT_TRUE(isCommitted(world)) << "nothing is pending";
 }
@@ -355,12 +355,12 @@ LGS_LAW(Sync, DamagedMessagesDoNoHarm, 200, (const Calls& calls, Chance chance))
   for (const Call& call : calls.list) {
     const std::uint64_t before = caller.world.version();
     if (caller.make(call).refusal || call.kind != Call::Kind::commit) continue;
-    std::vector<Bytes> questions = client.hear(damaged(server.update(changesFrom(before, caller.world))));
+    std::vector<Bytes> questions = client.receive(damaged(server.update(changesFrom(before, caller.world))));
     for (int k = 0; k < 8 && !questions.empty(); ++k) {
       const auto answer = server.answer(damaged(questions.back()));
       questions.pop_back();
       if (!answer) continue;
-      for (Bytes& question : client.hear(damaged(*answer))) questions.push_back(std::move(question));
+      for (Bytes& question : client.receive(damaged(*answer))) questions.push_back(std::move(question));
     }
     EXPECT_TRUE(World::load(saved(world))) << "nothing is pending, and all is as it must be";
   }

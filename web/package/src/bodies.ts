@@ -25,7 +25,7 @@ export interface Physics<Body, Material> {
   readonly slop: number
   /** How much rounding changes a number, at most, in proportion to it. */
   readonly epsilon: number
-  /** What tells bodies apart. */
+  /** What distinguishes bodies. */
   keyOf(body: Body): unknown
   /** Dynamic bodies that are enabled and reach into a box of cells, each once. */
   near(box: Box): Body[]

@@ -47,7 +47,7 @@ export interface Maker<Body> {
   /** What two shapes that rest on each other may be apart. */
   readonly gap: number
   readonly gravity: Point
-  /** What tells bodies apart. */
+  /** What distinguishes bodies. */
   keyOf(body: Body): unknown
   /** A dynamic body at rest; null if it would have no shape. */
   make(place: Lies, parts: readonly FallingPart[], mass: FallingMass): Body | null
