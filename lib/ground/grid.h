@@ -57,6 +57,11 @@ class Grid {
     if (index == 0 || index >= chunks_.size()) return {};
     return {chunks_[index].get(), cellRef % kChunkCells};
   }
+  /// What names a cell in find(); of no chunk, if there is none in its place.
+  std::uint32_t refOf(Cell cell) const {
+    const std::uint32_t number = numberAt(cell.i >> 5, cell.j >> 5);
+    return number == kNoNumber ? 0 : number * kChunkCells + localOf(cell);
+  }
   /// Of a chunk that is not asleep.
   Cell cellOf(std::uint32_t cellRef) const {
     assert(cellRef / kChunkCells < chunks_.size() && chunks_[cellRef / kChunkCells]);
