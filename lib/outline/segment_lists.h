@@ -3,7 +3,7 @@
 
 #include "ground/chunk.h"
 #include "outline/layout.h"
-#include "storage/owned.h"
+#include "storage/pages.h"
 #include "storage/record_arena.h"
 
 #include <array>
@@ -66,7 +66,7 @@ class SegmentLists {
   /// What a chunk shows, which is nothing. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
 
-  std::uint64_t bytes() const;
+  std::uint64_t bytes() const { return chunks_.bytes() + arena_.bytes(); }
 
  private:
   /// What a chunk shows. Only chunks that show segments, or did, have one.
@@ -77,11 +77,11 @@ class SegmentLists {
   static constexpr std::array<std::uint32_t, Layout::kWords + 1> kNothing{};
 
   CellSegments of(RecordArena::Ref list) const { return CellSegments(list != 0 ? arena_.at(list) : kNothing.data()); }
-  ShownChunk* shownBy(std::uint32_t chunk) const { return chunk < chunks_.size() ? chunks_[chunk].get() : nullptr; }
+  ShownChunk* shownBy(std::uint32_t chunk) const { return chunk < chunks_.size() ? chunks_.get(chunk) : nullptr; }
   ShownChunk* shownBy(const Chunk& chunk) const { return shownBy(chunk.index); }
   ShownChunk& make(const Chunk& chunk);
 
-  std::vector<Owned<ShownChunk>> chunks_;  ///< by Chunk::index
+  Pages<ShownChunk> chunks_;  ///< by Chunk::index
   RecordArena arena_;
 };
 
