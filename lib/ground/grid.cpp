@@ -124,7 +124,9 @@ void Grid::forget(std::uint32_t number) {
   --count_;
   free_.push_back(number);
   std::push_heap(free_.begin(), free_.end(), std::greater());
-  while (count_ < highest() && stateOf(static_cast<std::uint32_t>(highest())) == ChunkState::none) chunks_.removeLast();
+  auto last = static_cast<std::uint32_t>(highest());
+  while (count_ < last && stateOf(last) == ChunkState::none) --last;
+  chunks_.shorten(last + 1);
   while (!borders_.empty() && !borders_.back()) borders_.pop_back();
   giveBackSpare(borders_);
 }

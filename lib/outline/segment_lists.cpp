@@ -45,7 +45,9 @@ std::uint32_t* SegmentLists::splice(CellAt at, std::uint32_t begin, std::uint32_
 void SegmentLists::forget(std::uint32_t chunk) {
   if (!shownBy(chunk)) return;
   chunks_.drop(chunk);
-  while (chunks_.size() != 0 && !chunks_.has(chunks_.size() - 1)) chunks_.removeLast();
+  std::size_t size = chunks_.size();
+  while (size != 0 && !chunks_.has(size - 1)) --size;
+  chunks_.shorten(size);
 }
 
 }  // namespace lgs::detail

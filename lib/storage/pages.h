@@ -109,13 +109,12 @@ class Pages {
     if (--slab->used != 0) return;
     std::erase_if(spare_, [&](const std::byte* page) { return slab->contains(page); });
     slabs_.erase(slab);
-    giveBackSpare(spare_);
   }
-  /// The last one is missing, and is no page any more.
-  void removeLast() {
-    assert(!pages_.back());
-    pages_.pop_back();
-    --missing_;
+  /// There are so many from now on. The others are missing.
+  void shorten(std::size_t size) {
+    assert(std::all_of(pages_.begin() + static_cast<std::ptrdiff_t>(size), pages_.end(), [](auto* p) { return !p; }));
+    missing_ -= pages_.size() - size;
+    pages_.resize(size);
     giveBackSpare(pages_);
   }
   std::uint64_t bytes() const {
