@@ -9,6 +9,7 @@
 namespace lgs::detail {
 namespace {
 
+/// No two places have the same one: mix() makes different hashes of different words.
 std::uint64_t hashOf(std::uint64_t seed, std::int32_t ci, std::int32_t cj) {
   return mix(seed, std::uint64_t{static_cast<std::uint32_t>(ci)} << 32 | static_cast<std::uint32_t>(cj));
 }
@@ -24,9 +25,9 @@ Grid::Grid(const Grid& other)
       index_(other.index_) {
   forEachChunk([this](Chunk& chunk) {
     for (Chunk*& beside : chunk.around)
-      if (beside) beside = chunks_[beside->index].get();
+      if (beside) beside = &chunks_[beside->index];
   });
-  if (other.last_) last_ = chunks_[other.last_->index].get();
+  if (other.last_) last_ = &chunks_[other.last_->index];
 }
 
 bool Grid::isFull() const { return count_ == kMaxChunks; }
@@ -43,39 +44,43 @@ void Chunk::makeRoomForBlock(Block block) {
 }
 
 std::uint32_t Grid::numberAt(std::int32_t ci, std::int32_t cj) const {
-  return index_.find(hashOf(index_.seed(), ci, cj), [&](std::uint32_t k) {
-    if (const Chunk* chunk = chunks_[k].get()) [[likely]]
-      return chunk->ci == ci && chunk->cj == cj;
-    return borders_[k]->ci == ci && borders_[k]->cj == cj;
+  // The chunk itself is not read: in a large world it is in no cache, and what an edit needs of it is fetched at once.
+  return index_.find(hashOf(index_.seed(), ci, cj), [&]([[maybe_unused]] std::uint32_t k) {
+    assert(placeOf(k) == std::pair(ci, cj));
+    return true;
   });
 }
 
 std::optional<std::pair<std::int32_t, std::int32_t>> Grid::placeOf(std::uint32_t number) const {
   if (number >= chunks_.size()) return {};
-  if (const Chunk* chunk = chunks_[number].get()) return std::pair(chunk->ci, chunk->cj);
+  if (const Chunk* chunk = chunks_.get(number)) return std::pair(chunk->ci, chunk->cj);
   if (const Border* known = border(number)) return std::pair(known->ci, known->cj);
   return {};
 }
 
 Chunk* Grid::findChunk(Cell cell) const {
   const std::uint32_t found = numberAt(cell.i >> 5, cell.j >> 5);
-  return found == kNoNumber ? nullptr : chunks_[found].get();
+  return found == kNoNumber ? nullptr : chunks_.get(found);
 }
 
 Chunk* Grid::obtainChunk(Cell cell) {
   if (Chunk* found = findChunk(cell)) return remember(found);
   assert(!isFull() && !isUnloaded(cell));
-  auto chunk = std::make_unique<Chunk>();
-  chunk->ci = cell.i >> 5;
-  chunk->cj = cell.j >> 5;
-  chunk->index = freeNumber();
-  link(*chunk);
-  index_.insert(hashOf(index_.seed(), chunk->ci, chunk->cj), chunk->index);
+  const std::uint32_t number = freeNumber();
+  if (number == chunks_.size()) chunks_.addMissing();
+  Chunk& chunk = make(number, cell.i >> 5, cell.j >> 5);
+  index_.insert(hashOf(index_.seed(), chunk.ci, chunk.cj), number);
   ++count_;
-  if (chunk->index == chunks_.size()) chunks_.emplace_back();
-  Owned<Chunk>& there = chunks_[chunk->index];
-  there = Owned(std::move(chunk));
-  return remember(there.get());
+  return remember(&chunk);
+}
+
+Chunk& Grid::make(std::uint32_t number, std::int32_t ci, std::int32_t cj) {
+  Chunk& chunk = chunks_.make(number);
+  chunk.ci = ci;
+  chunk.cj = cj;
+  chunk.index = number;
+  link(chunk);
+  return chunk;
 }
 
 /// The least one; at most one beyond the last chunk, as all numbers from there on that were ever given out are free.
@@ -93,10 +98,10 @@ void Grid::link(Chunk& chunk) {
   for (std::int32_t dj = -1; dj <= 1; ++dj) {
     for (std::int32_t di = -1; di <= 1; ++di) {
       const std::uint32_t found = numberAt(chunk.ci + di, chunk.cj + dj);
-      if (found == kNoNumber || !chunks_[found]) continue;
+      if (found == kNoNumber || !chunks_.has(found)) continue;
       const auto there = 3 * static_cast<std::size_t>(dj + 1) + static_cast<std::size_t>(di + 1);
-      chunk.around[there] = chunks_[found].get();
-      chunks_[found]->around[8 - there] = &chunk;
+      chunk.around[there] = &chunks_[found];
+      chunks_[found].around[8 - there] = &chunk;
     }
   }
 }
@@ -119,8 +124,9 @@ void Grid::forget(std::uint32_t number) {
   --count_;
   free_.push_back(number);
   std::push_heap(free_.begin(), free_.end(), std::greater());
-  while (count_ < highest() && !chunks_.back() && !border(static_cast<std::uint32_t>(highest()))) chunks_.pop_back();
-  giveBackSpare(chunks_);
+  auto last = static_cast<std::uint32_t>(highest());
+  while (count_ < last && stateOf(last) == ChunkState::none) --last;
+  chunks_.shorten(last + 1);
   while (!borders_.empty() && !borders_.back()) borders_.pop_back();
   giveBackSpare(borders_);
 }
@@ -147,22 +153,14 @@ Border Grid::load(Chunk& chunk) {
 
 Chunk& Grid::wake(std::uint32_t number) {
   assert(placeOf(number));
-  if (!chunks_[number]) {
-    auto chunk = std::make_unique<Chunk>();
-    chunk->ci = borders_[number]->ci;
-    chunk->cj = borders_[number]->cj;
-    chunk->index = number;
-    chunk->isUnloaded = true;
-    chunks_[number] = Owned(std::move(chunk));
-    link(*chunks_[number]);
-  }
-  return *chunks_[number];
+  if (!chunks_.has(number)) make(number, borders_[number]->ci, borders_[number]->cj).isUnloaded = true;
+  return chunks_[number];
 }
 
 void Grid::sleep(std::uint32_t number) {
-  if (!chunks_[number]) return;
-  unlink(*chunks_[number]);
-  chunks_[number] = {};
+  if (!chunks_.has(number)) return;
+  unlink(chunks_[number]);
+  chunks_.drop(number);
 }
 
 bool Grid::hasLoadedBeside(const Border& border) const {
@@ -176,10 +174,10 @@ bool Grid::hasLoadedBeside(const Border& border) const {
 }
 
 std::uint64_t Grid::bytes() const {
-  std::uint64_t sum = chunks_.capacity() * sizeof chunks_[0] + free_.capacity() * sizeof free_[0] + index_.bytes();
+  std::uint64_t sum = chunks_.bytes() + free_.capacity() * sizeof free_[0] + index_.bytes();
   sum += borders_.capacity() * sizeof borders_[0];
   for (const Owned<Border>& border : borders_) sum += border ? border->bytes() : 0;
-  forEachChunk([&](const Chunk& chunk) { sum += sizeof(Chunk) + (chunk.blocks ? kChunkCells * sizeof(Block) : 0); });
+  forEachChunk([&](const Chunk& chunk) { sum += chunk.blocks ? kChunkCells * sizeof(Block) : 0; });
   return sum;
 }
 

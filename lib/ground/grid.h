@@ -11,6 +11,7 @@
 #include "ground/chunk.h"
 #include "storage/hash_index.h"
 #include "storage/owned.h"
+#include "storage/pages.h"
 
 #include <lgs/lattice.h>
 
@@ -20,7 +21,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,7 +32,7 @@ enum class ChunkState : std::uint8_t { none, loaded, awake, asleep };
 
 class Grid {
  public:
-  Grid() { chunks_.emplace_back(std::make_unique<Chunk>()); }
+  Grid() { chunks_.add(); }
   Grid(const Grid& other);
   Grid& operator=(const Grid&) = delete;
   ~Grid() = default;
@@ -55,13 +55,15 @@ class Grid {
   CellAt find(std::uint32_t cellRef) const {
     const std::uint32_t index = cellRef / kChunkCells;
     if (index == 0 || index >= chunks_.size()) return {};
-    return {chunks_[index].get(), cellRef % kChunkCells};
+    return {chunks_.get(index), cellRef % kChunkCells};
+  }
+  /// What names a cell in find(); of no chunk, if there is none in its place.
+  std::uint32_t refOf(Cell cell) const {
+    const std::uint32_t number = numberAt(cell.i >> 5, cell.j >> 5);
+    return number == kNoNumber ? 0 : number * kChunkCells + localOf(cell);
   }
   /// Of a chunk that is not asleep.
-  Cell cellOf(std::uint32_t cellRef) const {
-    assert(cellRef / kChunkCells < chunks_.size() && chunks_[cellRef / kChunkCells]);
-    return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells);
-  }
+  Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells].cell(cellRef % kChunkCells); }
   /// The same of any chunk with a number that is in use.
   Cell cellOfAny(std::uint32_t cellRef) const {
     const auto [ci, cj] = *placeOf(cellRef / kChunkCells);
@@ -74,13 +76,13 @@ class Grid {
   std::optional<std::pair<std::int32_t, std::int32_t>> placeOf(std::uint32_t number) const;
   ChunkState stateOf(std::uint32_t number) const {
     if (number >= chunks_.size()) return ChunkState::none;
-    if (border(number)) return chunks_[number] ? ChunkState::awake : ChunkState::asleep;
-    return chunks_[number] ? ChunkState::loaded : ChunkState::none;
+    if (border(number)) return chunks_.has(number) ? ChunkState::awake : ChunkState::asleep;
+    return chunks_.has(number) ? ChunkState::loaded : ChunkState::none;
   }
   /// Of a chunk that is not asleep.
   Chunk& chunk(std::uint32_t number) const {
-    assert(number != 0 && number < chunks_.size() && chunks_[number]);
-    return *chunks_[number];
+    assert(number != 0);
+    return chunks_[number];
   }
 
   // --- Unloaded chunks, by their numbers
@@ -114,8 +116,8 @@ class Grid {
   /// Calls visit(Chunk&) for those that are not asleep, by number.
   template <class Visit>
   void forEachChunk(Visit&& visit) const {
-    for (const Owned<Chunk>& chunk : std::span(chunks_).subspan(1))
-      if (chunk) visit(*chunk);
+    for (std::size_t number = 1; number < chunks_.size(); ++number)
+      if (chunks_.has(number)) visit(chunks_[number]);
   }
   /// How many there are, with those that are unloaded.
   std::size_t count() const { return count_; }
@@ -151,12 +153,12 @@ class Grid {
 
   /// For tests of the limit: so many chunks count as made, and are not there.
   void passOver(std::size_t chunks) {
-    chunks_.resize(chunks_.size() + chunks);
+    chunks_.addMissing(chunks);
     count_ += chunks;
   }
   /// For loading: the next number stays free. Once all chunks are there setFree() says which ones did, in increasing
   /// order.
-  void leaveOut() { chunks_.emplace_back(); }
+  void leaveOut() { chunks_.addMissing(); }
   void setFree(std::vector<std::uint32_t> numbers) { free_ = std::move(numbers); }
 
   /// Takes a chunk away that nothing refers to any more, or the border of one.
@@ -167,6 +169,8 @@ class Grid {
  private:
   Chunk* findChunk(Cell cell) const;
   Chunk* obtainChunk(Cell cell);
+  /// The Chunk of a number that has none.
+  Chunk& make(std::uint32_t number, std::int32_t ci, std::int32_t cj);
   void link(Chunk& chunk);
   void unlink(const Chunk& chunk);
   std::uint32_t freeNumber();
@@ -179,7 +183,7 @@ class Grid {
   // Index 0 is no chunk of the world. A segment that is not alive says that it is in cell 0, and that is there. So a
   // link to one, should there ever be such a link, can be followed: the harness then reports it, where a crash says
   // little.
-  std::vector<Owned<Chunk>> chunks_;    ///< by number; null where it is free, or asleep. The last one is in use.
+  Pages<Chunk> chunks_;                 ///< by number; null where it is free, or asleep. The last one is in use.
   std::vector<Owned<Border>> borders_;  ///< by number; of those that are unloaded
   std::vector<std::uint32_t> free_;     ///< numbers, as a heap with the least first
   std::size_t count_ = 0;               ///< of numbers in use

@@ -33,7 +33,7 @@ template <class Visit>
 }
 /// For a lone chunk an edit has asked for the rest.
 [[gnu::noinline]] void fetchSegmentsOf(const Outline& outline, const Chunk& lone) {
-  forEachScattered(lone, [&](CellAt at) { fetchSegments(outline, at); });
+  forEachScattered(lone, [&](CellAt at) { fetchSegments(outline, at.ref()); });
 }
 template <class Visit>
 void visitChanged(const Outline& outline, std::span<Chunk* const> changed, Visit&& visit) {

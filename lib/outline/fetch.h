@@ -35,28 +35,29 @@ inline constexpr std::uint32_t kManySegments = 1u << 17;
 
 inline bool isLarge(const Outline& outline) { return kCanFetch && outline.segments.maxId() >= kManySegments; }
 
-// Three steps for a cell and the eight around it. At the rim of a chunk they do nothing.
+// Three steps for a cell and the eight around it. At the boundary of a chunk they do nothing.
 
-inline void fetchCells(const Outline& outline, CellAt at) {
+inline void fetchCells(const Outline& outline, CellAt at, std::uint32_t cellRef) {
   if (!isInner(at.local)) return;
   for (std::uint32_t local = at.local - kChunkSize; local <= at.local + kChunkSize; local += kChunkSize) {
     prefetch(&at.chunk->cells[local]);
     prefetch(&at.chunk->facts[local]);
   }
-  outline.lists.forEachPlaceAround(at, [](const void* place) { prefetch(place); });
+  outline.lists.forEachPlaceAround(cellRef, [](const void* place) { prefetch(place); });
 }
-inline void fetchLists(const Outline& outline, CellAt at) {
-  outline.lists.forEachAround(at, [](CellSegments list) { prefetch(list.ids()); });
+inline void fetchLists(const Outline& outline, std::uint32_t cellRef) {
+  outline.lists.forEachAround(cellRef, [](CellSegments list) { prefetch(list.ids()); });
 }
 /// Of each list the first three; most cells have no more. A branch on how many there are would be mispredicted.
-inline void fetchSegments(const Outline& outline, CellAt at) {
-  outline.lists.forEachAround(at, [&](CellSegments list) {
+inline void fetchSegments(const Outline& outline, std::uint32_t cellRef) {
+  outline.lists.forEachAround(cellRef, [&](CellSegments list) {
     for (std::uint32_t k = 0; k < 3; ++k) prefetch(&outline.segments[list.ids()[k < list.count() ? k : 0]]);
   });
 }
 
-/// The first two, before an edit, which may be the only one until the commit.
-void fetchAround(const Outline& outline, CellAt at);
+/// The first two, before an edit, which may be the only one until the commit. By number: to read the chunk, which is in
+/// no cache either, before it is known where the lists are noted would be one more wait.
+void fetchAround(const Outline& outline, const Grid& grid, std::uint32_t cellRef);
 
 /// Calls visit(CellAt) for the changed cells of a chunk, or for the first of many: these lie close to each other.
 template <class Visit>
@@ -76,10 +77,10 @@ void forEachScattered(const Chunk& chunk, Visit&& visit) {
 template <class Visit>
 void forEachFetched(const Outline& outline, std::span<Chunk* const> chunks, Visit&& visit) {
   for (std::size_t k = 0; k < chunks.size() + 2; ++k) {
-    if (k < chunks.size()) forEachScattered(*chunks[k], [&](CellAt at) { fetchCells(outline, at); });
-    if (k >= 1 && k <= chunks.size()) forEachScattered(*chunks[k - 1], [&](CellAt at) { fetchLists(outline, at); });
+    if (k < chunks.size()) forEachScattered(*chunks[k], [&](CellAt at) { fetchCells(outline, at, at.ref()); });
+    if (k >= 1 && k <= chunks.size()) forEachScattered(*chunks[k - 1], [&](CellAt at) { fetchLists(outline, at.ref()); });
     if (k < 2) continue;
-    forEachScattered(*chunks[k - 2], [&](CellAt at) { fetchSegments(outline, at); });
+    forEachScattered(*chunks[k - 2], [&](CellAt at) { fetchSegments(outline, at.ref()); });
     visit(*chunks[k - 2]);
   }
 }

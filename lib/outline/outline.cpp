@@ -28,11 +28,13 @@ void Outline::forget(std::uint32_t chunk) {
   hidden_.forget(chunk);
 }
 
-void fetchAround(const Outline& outline, CellAt at) {
+void fetchAround(const Outline& outline, const Grid& grid, std::uint32_t cellRef) {
+  const CellAt at = grid.find(cellRef);
+  if (!at) return;
   prefetch(at.chunk);
   prefetch(&at.chunk->dirty[at.row()]);
-  fetchCells(outline, at);
-  fetchLists(outline, at);
+  fetchCells(outline, at, cellRef);
+  fetchLists(outline, cellRef);
 }
 
 std::uint64_t Outline::bytes() const {

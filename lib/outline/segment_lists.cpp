@@ -7,9 +7,8 @@
 namespace lgs::detail {
 
 SegmentLists::ShownChunk& SegmentLists::make(const Chunk& chunk) {
-  if (chunk.index >= chunks_.size()) chunks_.resize(std::size_t{chunk.index} + 1);
-  chunks_[chunk.index] = Owned(std::make_unique<ShownChunk>());
-  return *chunks_[chunk.index];
+  if (chunk.index >= chunks_.size()) chunks_.addMissing(chunk.index + 1 - chunks_.size());
+  return chunks_.make(chunk.index);
 }
 
 std::uint32_t* SegmentLists::splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
@@ -44,16 +43,11 @@ std::uint32_t* SegmentLists::splice(CellAt at, std::uint32_t begin, std::uint32_
 }
 
 void SegmentLists::forget(std::uint32_t chunk) {
-  if (chunk >= chunks_.size()) return;
-  chunks_[chunk] = {};
-  while (!chunks_.empty() && !chunks_.back()) chunks_.pop_back();
-  giveBackSpare(chunks_);
-}
-
-std::uint64_t SegmentLists::bytes() const {
-  std::uint64_t sum = chunks_.capacity() * sizeof chunks_[0] + arena_.bytes();
-  for (const auto& shown : chunks_) sum += shown ? sizeof *shown : 0;
-  return sum;
+  if (!shownBy(chunk)) return;
+  chunks_.drop(chunk);
+  std::size_t size = chunks_.size();
+  while (size != 0 && !chunks_.has(size - 1)) --size;
+  chunks_.shorten(size);
 }
 
 }  // namespace lgs::detail

@@ -3,7 +3,7 @@
 
 #include "ground/chunk.h"
 #include "outline/layout.h"
-#include "storage/owned.h"
+#include "storage/pages.h"
 #include "storage/record_arena.h"
 
 #include <array>
@@ -37,22 +37,23 @@ class SegmentLists {
     return shown ? shown->live[row] : 0;
   }
 
-  /// Calls visit(address) for what says where the lists of a cell and of the eight around it are, unless it is at the
-  /// rim of its chunk.
+  /// Calls visit(address) for where the lists of a cell and of the eight around it are noted, unless it is at the
+  /// boundary of its chunk.
   template <class Visit>
-  void forEachPlaceAround(CellAt at, Visit&& visit) const {
-    const ShownChunk* shown = shownBy(*at.chunk);
-    if (!shown || !isInner(at.local)) return;
-    visit(&shown->live[at.row()]);
-    for (std::uint32_t local = at.local - kChunkSize; local <= at.local + kChunkSize; local += kChunkSize)
-      visit(&shown->lists[local]);
+  void forEachPlaceAround(std::uint32_t cellRef, Visit&& visit) const {
+    const ShownChunk* shown = shownBy(cellRef / kChunkCells);
+    const std::uint32_t at = cellRef % kChunkCells;
+    if (!shown || !isInner(at)) return;
+    visit(&shown->live[at / kChunkSize]);
+    for (std::uint32_t row = at - kChunkSize; row <= at + kChunkSize; row += kChunkSize) visit(&shown->lists[row]);
   }
   /// Calls visit(list) for these lists.
   template <class Visit>
-  void forEachAround(CellAt at, Visit&& visit) const {
-    const ShownChunk* shown = shownBy(*at.chunk);
-    if (!shown || !isInner(at.local)) return;
-    for (std::uint32_t row = at.local - kChunkSize; row <= at.local + kChunkSize; row += kChunkSize)
+  void forEachAround(std::uint32_t cellRef, Visit&& visit) const {
+    const ShownChunk* shown = shownBy(cellRef / kChunkCells);
+    const std::uint32_t at = cellRef % kChunkCells;
+    if (!shown || !isInner(at)) return;
+    for (std::uint32_t row = at - kChunkSize; row <= at + kChunkSize; row += kChunkSize)
       for (std::uint32_t local = row - 1; local <= row + 1; ++local) visit(of(shown->lists[local]));
   }
 
@@ -65,7 +66,7 @@ class SegmentLists {
   /// What a chunk shows, which is nothing. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
 
-  std::uint64_t bytes() const;
+  std::uint64_t bytes() const { return chunks_.bytes() + arena_.bytes(); }
 
  private:
   /// What a chunk shows. Only chunks that show segments, or did, have one.
@@ -76,12 +77,11 @@ class SegmentLists {
   static constexpr std::array<std::uint32_t, Layout::kWords + 1> kNothing{};
 
   CellSegments of(RecordArena::Ref list) const { return CellSegments(list != 0 ? arena_.at(list) : kNothing.data()); }
-  ShownChunk* shownBy(const Chunk& chunk) const {
-    return chunk.index < chunks_.size() ? chunks_[chunk.index].get() : nullptr;
-  }
+  ShownChunk* shownBy(std::uint32_t chunk) const { return chunk < chunks_.size() ? chunks_.get(chunk) : nullptr; }
+  ShownChunk* shownBy(const Chunk& chunk) const { return shownBy(chunk.index); }
   ShownChunk& make(const Chunk& chunk);
 
-  std::vector<Owned<ShownChunk>> chunks_;  ///< by Chunk::index
+  Pages<ShownChunk> chunks_;  ///< by Chunk::index
   RecordArena arena_;
 };
 

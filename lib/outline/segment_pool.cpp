@@ -25,12 +25,13 @@ void SegmentPool::giveBackPages(std::size_t live) {
   const std::size_t there = (pages_.size() - pages_.missing()) * kPage, dead = there - live;
   dead_ = std::min(dead_, dead);
   if (dead < there / 2 || dead - dead_ < there / 8) return;
-  std::vector<std::size_t> gone;
-  for (std::size_t k = 1; k < maxId() / kPage; ++k)
-    if (pages_.has(k) && std::ranges::all_of(pages_[k], [](const SegmentRecord& s) { return s.cellRef == 0; }))
-      gone.push_back(k);
-  pages_.giveBack(gone);
-  dead_ = dead - gone.size() * kPage;
+  dead_ = dead;
+  for (std::size_t k = 1; k < maxId() / kPage; ++k) {
+    if (!pages_.has(k) || std::ranges::any_of(pages_[k], [](const SegmentRecord& s) { return s.cellRef != 0; }))
+      continue;
+    pages_.drop(k);
+    dead_ -= kPage;
+  }
 }
 
 }  // namespace lgs::detail

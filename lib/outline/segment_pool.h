@@ -112,7 +112,7 @@ class SegmentPool {
   /// For tests of the limit, in a pool that is as new: its first pages count as given out, and are not there.
   void passOver(std::uint32_t pages) {
     addPage();
-    pages_.passOver(pages);
+    pages_.addMissing(pages);
     top_ = static_cast<std::uint32_t>(pages_.size()) * kPage;
   }
 

@@ -15,7 +15,8 @@
 
 namespace lgs::detail {
 
-/// Mixes one more word into a hash (the finaliser of MurmurHash3, Appleby 2011).
+/// Mixes one more word into a hash (the finaliser of MurmurHash3, Appleby 2011). With the same hash different words make
+/// different ones, since each step can be undone.
 constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
   std::uint64_t h = (hash ^ word) * 0xff51afd7ed558ccdULL;
   h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;

@@ -8,14 +8,13 @@ namespace lgs::detail {
 namespace {
 
 [[maybe_unused]] constexpr std::size_t kLarge = std::size_t{2} << 20;  // what x86-64 and ARM have beside pages of 4 KiB
-[[maybe_unused]] constexpr std::size_t kFew = 8;  // pages that are allocated one by one: small worlds stay small
 
 }  // namespace
 
 Slab Slab::forPages(std::size_t pageBytes, std::size_t before) {
   Slab slab;
 #ifdef __linux__
-  if (before >= kFew) {
+  if (before * pageBytes >= kLarge / 2) {  // until then they are allocated one by one: small worlds stay small
     slab.pages_ = kLarge / pageBytes;
     slab.bytes_ = kLarge;
     slab.memory_ = {static_cast<std::byte*>(::operator new (kLarge, std::align_val_t{kLarge})), FreeSlab{true}};

@@ -48,7 +48,7 @@ class RecordArena {
   std::uint32_t* at(Ref ref) const { return pages_[ref / kPageWords].data() + ref % kPageWords; }
 
   /// For tests of the limit: so many pages count as full, and are not there.
-  void passOver(std::size_t pages) { pages_.passOver(pages); }
+  void passOver(std::size_t pages) { pages_.addMissing(pages); }
 
   std::uint64_t bytes() const { return pages_.bytes(); }
 

@@ -93,13 +93,13 @@ template <class Find>
 void fetch(const World::Impl& world, Find&& find) {
   if (!isLarge(world.outline) || !world.ground.changedChunks().empty()) [[likely]]
     return;
-  if (const detail::CellAt at = find()) fetchAround(world.outline, at);
+  fetchAround(world.outline, world.ground.grid, find());
 }
-void fetch(World::Impl& world, Cell cell) {
-  fetch(world, [&] { return world.ground.grid.seek(cell); });
+void fetch(const World::Impl& world, Cell cell) {
+  fetch(world, [&] { return world.ground.grid.refOf(cell); });
 }
 void fetch(const World::Impl& world, PolygonHandle polygon) {
-  fetch(world, [&] { return world.ground.grid.find(polygon.cellRef); });
+  fetch(world, [&] { return polygon.cellRef; });
 }
 
 }  // namespace

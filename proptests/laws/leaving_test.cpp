@@ -45,5 +45,25 @@ TEST(LeavingByHand, AWorldWithoutThemIsSavedAndGoesOn) {
   EXPECT_EQ(std::to_integer<int>(saved(world)[7]), 1) << "all numbers are in use again";
 }
 
+// With a thousand chunks they lie in slabs, several in each, which do not go with one of them.
+TEST(LeavingByHand, AChunkThatComesTakesThePlaceOfOneThatWent) {
+  World world;
+  const ShapeId square = must(world.shape(kUnitSquare));
+  std::vector<PolygonHandle> handles;
+  for (std::int32_t k = 0; k < 1'000; ++k) handles.push_back(must(world.add({32 * k, 0}, square, 1)));
+  world.commit();
+  std::uint64_t bytes = 0;
+  for (std::int32_t k = 0; k < 2'000; ++k) {
+    PolygonHandle& one = handles[static_cast<std::size_t>(k) * 7 % 1'000];  // so that no slab is left by all
+    EXPECT_TRUE(world.remove(one));
+    world.commit();
+    EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
+    one = must(world.add({32 * k, 64}, square, 1));
+    world.commit();
+    if (k == 0) bytes = world.stats().bytes;
+  }
+  EXPECT_LT(world.stats().bytes, bytes + 100'000) << "a chunk takes 10,000, and the first ones have no slab";
+}
+
 }  // namespace
 }  // namespace lgs::test
