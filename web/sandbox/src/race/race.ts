@@ -13,8 +13,8 @@ export const start: Start = { kind: 'marble', x: 0.5, y: 1.36, speed: 7.4, size:
 const gravity = 1.62 // metres per second squared
 const nowhere: Gate = { x: 0, y: 0, speed: 0, bottom: -1000 }
 const longest = 12 // seconds
-const before = 14 // steps of the replay before the kick
-const after = 16
+const before = 9 // steps of the replay before the kick
+const after = 10
 const worthwhile = 0.04 // metres a second: a kick that one can see under the lens
 
 /** Where a wheel was, in cells; its velocity in cells a second. */

@@ -169,9 +169,9 @@ function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void
   c.strokeStyle = colours.grid
   c.lineWidth = 1
   c.font = `12px ${font}`
-  c.textBaseline = 'bottom'
-  c.textAlign = 'left'
-  for (let v = 3; v <= start.speed; ++v) {
+  c.textBaseline = 'top'
+  c.textAlign = 'right'
+  for (let v = 3; v <= start.speed; v += 2) {
     const [x, y] = at({ x: -0.5, y: 0, angle: 0, vx: v, vy: 0 })
     c.beginPath()
     c.moveTo(x, y)
@@ -179,7 +179,7 @@ function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void
     c.stroke()
     c.fillStyle = colours.ink
     c.globalAlpha = 0.7
-    c.fillText(v + 1 > start.speed ? `${v} cells a second` : String(v), x + 2, y - 2)
+    c.fillText(v + 2 > start.speed ? `${v} cells a second` : String(v), place.width - 14, y + 2)
     c.globalAlpha = 1
   }
   for (const lane of [race.lanes[1], race.lanes[0]]) {
