@@ -6,7 +6,7 @@ import { init, thickLine, unitSquare } from 'localgridseg/islands'
 import { Ground } from 'localgridseg/planck'
 
 const bedrock = 2
-const colours = { 1: '#b08968', [bedrock]: '#5d4a3a', 3: '#4f9d96', 4: '#d1604c' }
+export const colours = { 1: '#b5835a', [bedrock]: '#57434a', 3: '#3fb8ac', 4: '#d95d4a', 5: '#f0b63c' }
 const options = { anchors: { blocks: [bedrock] }, land, undoSteps: 2000 }
 const fingers = new Map()
 const walk = { a: -1, ArrowLeft: -1, d: 1, ArrowRight: 1 }
@@ -32,7 +32,7 @@ export async function digger(canvas, size = 24) { // pixels of a cell
     picture.draw()
     if (canvas.isConnected) requestAnimationFrame((next) => frame(next, now))
   })
-  return ground
+  return { ground, picture }
 }
 
 function land(world, { i0, j0 }) { // 32 x 32 cells, when one comes near
@@ -51,11 +51,11 @@ function land(world, { i0, j0 }) { // 32 x 32 cells, when one comes near
   paint([i0, 3, i1, 3, ...floor.flat()], 1)
   paint([...roof.flat(), i1, 21, i0, 21], 1)
   for (let k = 0, x = i0 + 3.2; k < 5; ++k, x += 6.2) {
-    const stands = k % 2, y = stands ? 11.5 + 1.6 * Math.sin(x) : 12
+    const stands = k % 2, y = (stands ? 11.5 : 12) + 1.6 * Math.sin(x)
     world.paint(thickLine(stands ? [x, 3, x, y] : [x, y + 2, x, 21], 0.4), 1)
     put(stands ? cap : crystal, x, y, 3 + stands)
-    for (const [dx, y] of [[3, 2.3], [-2.4, 20.9], [2.5, 25.6], [0.3, 23.3]])
-      put(gem, x + dx, y, 4 - stands)
+    for (const [dx, y] of [[2, 2.2], [-1.5, 23], [1.2, 27]])
+      put(gem, x + dx + Math.sin(5 * x), y + 0.3 * y / 9 * Math.cos(3 * x), 5)
   }
 }
 const cap = [-2.3, 0, 2.3, 0, 1.8, 1.1, 0.7, 1.7, -0.7, 1.7, -1.8, 1.1]

@@ -8,7 +8,7 @@ import type { Block, CellRect, Changes, SegmentId, Version, World } from './type
 import { placeOf } from './world.js'
 
 export { linesIn } from './lines.js'
-export { GroundPicture } from './picture.js'
+export { type Fill, GroundPicture } from './picture.js'
 
 interface Chunk {
   /** Names the chunk: the same string for the same chunk. */

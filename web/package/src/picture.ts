@@ -8,7 +8,9 @@ interface Drawn {
   readonly fills: readonly (readonly [Block, Path2D])[]
 }
 
-function pathOf(lines: Iterable<ArrayLike<number>>, isClosed: boolean): Path2D {
+type Ring = ArrayLike<number>
+
+function pathOf(lines: Iterable<Ring>, isClosed: boolean): Path2D {
   const path = new Path2D()
   for (const line of lines) {
     for (let k = 0; k < line.length; k += 2) k === 0 ? path.moveTo(line[0]!, line[1]!) : path.lineTo(line[k]!, line[k + 1]!)
@@ -17,9 +19,38 @@ function pathOf(lines: Iterable<ArrayLike<number>>, isClosed: boolean): Path2D {
   return path
 }
 
-const byBlock = (fills: readonly { block: Block; vertices: ArrayLike<number> }[]) =>
+const isWhole = (v: Ring) => v.length === 8 && v[0]! * (v[3]! - v[7]!) + v[2]! * (v[5]! - v[1]!) + v[4]! * (v[7]! - v[3]!) + v[6]! * (v[1]! - v[5]!) === 2
+
+/** Whole cells that lie beside each other as rectangles: there are far fewer lines to fill. */
+function joined(rings: readonly Ring[]): Ring[] {
+  const whole = rings.filter(isWhole).map((v) => [Math.min(v[0]!, v[4]!), Math.min(v[1]!, v[5]!)] as const).sort((a, b) => a[1] - b[1] || a[0] - b[0])
+  const rows: [number, number, number, number][] = [], rectangles = new Map<string, [number, number, number, number]>()
+  for (const [x, y] of whole) {
+    const last = rows.at(-1)
+    if (last !== undefined && last[1] === y && last[2] === x) ++last[2]
+    else rows.push([x, y, x + 1, y + 1])
+  }
+  const all = rings.filter((v) => !isWhole(v))
+  const close = ([x0, y0, x1, y1]: [number, number, number, number]) => all.push([x0, y0, x1, y0, x1, y1, x0, y1])
+  for (const row of rows) {
+    const key = `${row[0]} ${row[2]}`, below = rectangles.get(key)
+    if (below !== undefined && below[3] === row[1]) {
+      ++below[3]
+      continue
+    }
+    if (below !== undefined) close(below)
+    rectangles.set(key, row)
+  }
+  for (const rectangle of rectangles.values()) close(rectangle)
+  return all
+}
+
+const byBlock = (fills: readonly { block: Block; vertices: Ring }[]) =>
   [...new Set(fills.map(({ block }) => block))].map((block) =>
-    [block, pathOf(fills.filter((fill) => fill.block === block).map(({ vertices }) => vertices), true)] as const)
+    [block, pathOf(joined(fills.filter((fill) => fill.block === block).map(({ vertices }) => vertices)), true)] as const)
+
+/** A colour; or a gradient or a pattern, in cells. */
+export type Fill = string | CanvasGradient | CanvasPattern
 
 export interface PictureOptions {
   /** What is in the lower left corner, in cells: 0, 0, if it is not given. */
@@ -41,13 +72,13 @@ export class GroundPicture {
   size: number
   readonly #ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }
   readonly #canvas: HTMLCanvasElement
-  readonly #colours: Readonly<Record<number, string>>
+  readonly #colours: Readonly<Record<number, Fill>>
   readonly #line: string
   readonly #squares = new Map<string, Drawn>()
   readonly #rocks = new WeakMap<object, Drawn>()
 
   /** It gets what changed from ground.draw(), which nothing else must call then. */
-  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, canvas: HTMLCanvasElement, colours: Readonly<Record<number, string>>, options: PictureOptions = {}) {
+  constructor(ground: { draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }, canvas: HTMLCanvasElement, colours: Readonly<Record<number, Fill>>, options: PictureOptions = {}) {
     if (typeof ground?.draw !== 'function' || typeof ground.rocks !== 'function') throw bad('ground', 'a Ground', ground)
     if (typeof canvas?.getContext !== 'function') throw bad('canvas', 'a canvas', canvas)
     const { x = 0, y = 0, size = 24, line = '#2b2320' } = known('options', ['x', 'y', 'size', 'line'], options)

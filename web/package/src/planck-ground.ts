@@ -69,12 +69,7 @@ class InPlanck implements Host<Body> {
     return { ...this.#falling.placeOf(body), vx: x / cellSize, vy: y / cellSize, spin: body.getAngularVelocity() }
   }
   /** Who lies on another body alone would fall again. */
-  rests(body: Body): boolean {
-    if (!body.isActive() || body.isAwake()) return false
-    let edge = body.getContactList()
-    while (edge && !(edge.contact.isTouching() && this.terrain.hit(edge.contact))) edge = edge.next
-    return !!edge
-  }
+  rests(body: Body): boolean { return this.#falling.rests(body) }
   settle(body: Body): boolean { return this.#falling.settle(body) }
   destroy(body: Body): void {
     this.#falling.forget(body)

@@ -1,8 +1,9 @@
-// What one sees first: the digger of examples/digger.js, its source beside it, and two wheels that race below. A hand digs
-// until somebody else does.
+// What one sees first: the digger of examples/digger.js, what there is to win in it (goal.ts), its source beside it, and two
+// wheels that race below. A hand digs until somebody else does.
 import type { Ground } from 'localgridseg/planck'
 import { digger } from '../../examples/digger.js'
 import { element, onClick } from './dom.js'
+import { Goal } from './goal.js'
 import { Race } from './race/race.js'
 import { drawLanes } from './race/view.js'
 import { copied, holdsGround } from './share.js'
@@ -12,12 +13,13 @@ import { wantsCalm } from './theme.js'
 const before = 900 // milliseconds until the hand digs
 const cut = 500 // that it takes for a stem
 const pause = 2200 // between two stems
-const shown = 3 // things that it cuts; the others are left to who looks on
+const shown = 2 // things that it cuts; then it asks who looks on to cut the next
 const wait = 1500 // between two races
 
 export class Digger {
   static readonly address = '#digger'
   ground: Ground | null = null
+  goal: Goal | null = null
   size = 0 // pixels of a cell
   readonly #section = element('digger')
   readonly #canvas = element<HTMLCanvasElement>('dig')
@@ -39,10 +41,12 @@ export class Digger {
     // The land is 32 cells high, and a mouse hits small ones. For a finger they are larger, and the lower 21 are to be seen.
     const { clientHeight } = this.#canvas, least = matchMedia('(pointer: coarse)').matches ? (innerWidth < 720 ? 22 : 26) : 0
     this.size = Math.max(clientHeight / 32, Math.min(least, clientHeight / 21))
-    this.ground = await digger(this.#canvas, this.size)
+    const { ground, picture } = await digger(this.#canvas, this.size)
+    this.ground = ground
     onClick('dig-more', () => void leave())
     addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
-    this.#count(this.ground)
+    this.#count(ground)
+    this.goal = new Goal(this.#canvas, ground, picture, () => this.#strokes)
     this.#listen()
     requestAnimationFrame((now) => this.#dig(now, now))
     requestAnimationFrame(() => requestAnimationFrame((now) => this.#race(now))) // once the ground is seen
@@ -126,22 +130,30 @@ export class Digger {
     window.dispatchEvent(new PointerEvent('pointerup', { pointerId: -1 }))
   }
 
-  /** What one crystal hangs on, later the stem of a mushroom, and so on. */
+  /** What a crystal hangs on, later the stem of a mushroom; and then it waits at the next one. */
   #dig(begun: number, now: number, k = 0, last: [number, number] | null = null): void {
     if (!this.#isShowing || !this.#section.isConnected) {
+      this.#section.classList.remove('asks')
       this.#hand.hidden = this.#cursor === null
       return
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
-    const x = (9.4 + 6.2 * k) * this.size, y = clientHeight - (k % 2 === 0 ? 16.5 : 8.5) * this.size
+    const x = (9.4 + 6.2 * k) * this.size, y = clientHeight - (k % 2 === 0 ? 17.5 : 5.4) * this.size
     const way = this.size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2
     const at: [number, number] = [x + way, k % 2 === 0 ? y : y + way] // a stem at a slant, so that its cap slides off the stump
+    if (k === shown) { // whoever has a narrow screen must walk there
+      const isSeen = x < clientWidth - 3 * this.size
+      if (isSeen) this.#show(x + 1.4 * this.size * Math.sin(now / 300), y)
+      this.#hand.hidden = !isSeen
+      this.#section.classList.add('asks')
+      requestAnimationFrame((later) => this.#dig(begun, later, k))
+      return
+    }
     this.#show(...at)
     if (time > 0 && last === null) this.#begin()
     if (time > 0) this.#touch(...(last ?? at), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
-    if (isCut && (next === shown || 9.4 + 6.2 * next + 1.4 > clientWidth / this.size)) return
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
   }
 

@@ -110,7 +110,7 @@ export class Rocks {
     const isTime = --this.#wait <= 0
     for (const { body, ground: rock } of first.bodies) {
       if (first.placeOf(body).y < bottom) this.#lose(rock, first.placeOf(body))
-      else if (isTime && !body.isAwake()) this.#settle(first, body, rock)
+      else if (isTime && first.rests(body)) this.#settle(first, body, rock)
     }
   }
 

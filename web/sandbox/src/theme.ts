@@ -20,14 +20,14 @@ export interface Theme {
 const riders = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9']
 
 const light: Theme = {
-  sky: '#f7f8fa',
-  grid: 'rgba(30, 41, 59, 0.06)',
-  ground: '#c9bfae',
+  sky: '#fbf7f0',
+  grid: 'rgba(60, 40, 30, 0.06)',
+  ground: '#d5b48c',
   special: { [ICE]: '#c4e3f3', [STICKY]: '#e3b48f', [ONE_WAY]: '#c9d6b8', [CONVEYOR]: '#d8c3dd' },
   pattern: 'rgba(40, 34, 26, 0.28)',
-  line: '#4b443a',
+  line: '#54402f',
   riders,
-  ink: '#1c2430',
+  ink: '#2a2338',
   kick: '#d55e00',
   added: '#009e73',
   removed: '#d55e00',
@@ -35,14 +35,14 @@ const light: Theme = {
 }
 
 const dark: Theme = {
-  sky: '#12161d',
-  grid: 'rgba(226, 232, 240, 0.05)',
-  ground: '#3f4653',
-  special: { [ICE]: '#355d74', [STICKY]: '#74492c', [ONE_WAY]: '#45583d', [CONVEYOR]: '#5b4762' },
+  sky: '#1b1733',
+  grid: 'rgba(235, 225, 255, 0.05)',
+  ground: '#6b5149',
+  special: { [ICE]: '#355d74', [STICKY]: '#8a5226', [ONE_WAY]: '#45583d', [CONVEYOR]: '#5b4762' },
   pattern: 'rgba(255, 255, 255, 0.24)',
-  line: '#a9b4c4',
+  line: '#dcc8b2',
   riders: ['#3f9fdc', '#e69f00', '#1fb58b', '#d68fb5', '#7cc8f2'],
-  ink: '#e8edf4',
+  ink: '#efeaf6',
   kick: '#ff8432',
   added: '#2fcf9f',
   removed: '#ff8432',

@@ -67,15 +67,17 @@ const area = (page) => page.evaluate(() => {
   const of = (polygons) => polygons.reduce((sum, { vertices: v }) => v.reduce((s, _, k) => (k % 2 ? s : s + (v[k] * v[(k + 3) % v.length] - v[k + 1] * v[(k + 2) % v.length]) / 2), sum), 0)
   return of(ground.world.polygons()) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
 })
-/** Cuts the first stem: a drag across it. */
-async function cutStem(page) {
+/** A drag across a stem. */
+async function cutAt(page, cx, cy) {
   const { x, y, height } = await page.locator('#dig').boundingBox()
   const size = await page.evaluate(() => window.sandbox.digger.size)
-  await page.mouse.move(x + 1.5 * size, y + height - 8.5 * size)
+  await page.mouse.move(x + (cx - 1.5) * size, y + height - cy * size)
   await page.mouse.down()
-  for (let k = 1; k <= 8; ++k) await page.mouse.move(x + (1.5 + (3 * k) / 8) * size, y + height - 8.5 * size)
+  for (let k = 1; k <= 8; ++k) await page.mouse.move(x + (cx - 1.5 + (3 * k) / 8) * size, y + height - cy * size)
   await page.mouse.up()
 }
+/** The first stem, of a mushroom. */
+const cutStem = (page) => cutAt(page, 3, 8.5)
 
 test('who comes first sees a hand that digs; whoever digs takes over, and the code beside is that which runs', () =>
   first(async (page) => {
@@ -117,6 +119,21 @@ test('a stem is cut, its cap falls and is ground again; a tap takes one dig back
     await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
     await page.mouse.up()
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6, `${await area(page)} and not ${whole}`)
+  }, calm))
+
+test('a crystal that is cut free breaks and is counted, its shards fly to its place, and it gets lighter; undo takes it back', () =>
+  first(async (page) => {
+    const whole = await area(page), full = () => page.locator('#dig-places .full').count()
+    await cutAt(page, 9.4, 17.5)
+    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count === 1)
+    await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 1)
+    assert.equal(await rocks(page), 0)
+    assert.match(await page.locator('#dig-goal').getAttribute('aria-label'), /^1 crystal/)
+    await page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
+    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count === 0)
+    await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 0)
+    assert.equal(await full(), 0)
+    assert.ok(Math.abs((await area(page)) - whole) < 1e-6)
   }, calm))
 
 test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z undoes', () =>

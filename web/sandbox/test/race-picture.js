@@ -64,11 +64,11 @@ lanes.forEach(({ moments, kicks, time }, k) => {
 
 // Speed over distance, below the tracks. A curtain goes away with the slower wheel.
 const [top, bottom] = [262, 392]
-const speed = ({ x, vx }) => `${round(left + x * unit)} ${round(bottom - ((bottom - top) * (vx - 3.5)) / 2.5)}`
-for (const v of [4, 5, 6]) {
-  const y = round(bottom - ((bottom - top) * (v - 3.5)) / 2.5)
+const speed = ({ x, vx }) => `${round(left + x * unit)} ${round(bottom - ((bottom - top) * (vx - 4.6)) / 2.9)}`
+for (const v of [5, 6, 7]) {
+  const y = round(bottom - ((bottom - top) * (v - 4.6)) / 2.9)
   parts.push(`<path class="grid" d="M${left} ${y}H${left + 24.8 * unit}"/>`)
-  text(left, y - 4, v === 6 ? 'speed: 6 cells a second' : v, 'soft', 12)
+  parts.push(`<text class="soft" x="${left + 24.8 * unit}" y="${y + 14}" font-size="12" text-anchor="end">${v === 7 ? '7 cells a second' : v}</text>`)
 }
 lanes.forEach(({ moments }, k) => {
   parts.push(`<path class="speed s${k}" pathLength="1" stroke="${colours[k]}" d="M${moments.map(speed).join('L')}"/>`)
@@ -97,14 +97,14 @@ animate('push', [[0, 'opacity:0'], [at, 'opacity:0'], [at + 0.01, 'opacity:1'], 
 parts.push(`<path class="push" marker-end="url(#tip)" d="M${lens.x} ${lens.y}l${round(dx * push)} ${round(-dy * push)}"/></g>`)
 parts.push(`<circle class="frame" cx="${lens.x}" cy="${lens.y}" r="${lens.radius}"/>`)
 parts.push(`<text class="soft" x="${lens.x}" y="${lens.y - lens.radius - 10}" font-size="13" text-anchor="middle">the first kick, ${lens.slower} times slower</text>`)
-parts.push(`<text class="soft" x="${lens.x}" y="${lens.y + lens.radius + 26}" font-size="13" text-anchor="middle">same wheel, same floor, no friction</text>`)
+parts.push(`<text class="soft" x="${lens.x}" y="${lens.y + lens.radius + 26}" font-size="13" text-anchor="middle">no friction, the Moon's gravity</text>`)
 
 const colour = ([paper, ink, soft, ground, grid]) =>
   `.paper{fill:${paper}}text{fill:${ink}}.soft{fill:${soft}}.ground{fill:${ground}}.grid{stroke:${grid}}.flag,.frame{stroke:${ink}}`
 // No custom properties: not every program that draws SVG knows them.
 const style = `svg{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Noto Sans',sans-serif}
-${colour(['#fff', '#1c2430', '#5a6675', '#c9bfae', '#e3e7ec'])}
-@media(prefers-color-scheme:dark){${colour(['#12161d', '#e8edf4', '#9aa7b8', '#4a5261', '#252c36'])}}
+${colour(['#fffdf9', '#2a2338', '#685e74', '#d5b48c', '#ece4d8'])}
+@media(prefers-color-scheme:dark){${colour(['#1b1733', '#efeaf6', '#afa5c2', '#6b5149', '#2e2849'])}}
 .strong{font-weight:650}.flag{stroke-width:4;stroke-dasharray:4 4}.kick{fill:#d55e00}.speed{fill:none;stroke-width:3;stroke-linejoin:round;stroke-dasharray:1 1}.frame{fill:none;stroke-width:3}.push{stroke:#d55e00;stroke-width:4}
 ${styles.join('\n')}
 @media(prefers-reduced-motion:reduce){*{animation:none!important}}`

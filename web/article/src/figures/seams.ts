@@ -1,95 +1,132 @@
-// Why bodies trip over seams: a wheel on a floor of tiles, with ghosts and without.
+// The same ball on the same floor, without ghosts and with them. Both rolls are planck's, worked out beforehand, so that
+// they can be shown slowly where the ball is kicked, and dragged to and fro.
 import { createWorld } from 'localgridseg'
 import { PlanckTerrain } from 'localgridseg/planck'
 import { Circle, Vec2, World as Physics } from 'planck'
-import { counted, solids, square } from '../ground.js'
+import { counted, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
-import { disc, path, type Point, words } from '../svg.js'
+import { arrow, disc, path, type Point, rect, words } from '../svg.js'
 
-const cell = 0.25 // metres, as in the sandbox: marbles are small, and a seam is large for them
-const speed = 3 // cells a second
-const radius = 0.4
-const skin = 0.005 // metres: so far from an edge planck lets a wheel rest. This one is made smaller by it
-const tiles = 12
-const jolt = 0.01 // metres a second: the floor is level, so who moves up by more was kicked
-const height = 9 // times: how much higher than it is the path is drawn
+const cell = 0.2 // metres
+const gravity = 1.62 // of the Moon
+const speed = 8.6 // cells a second
+const radius = 0.42
+const skin = 0.005 // metres: so far from an edge planck lets a ball rest. This one is made smaller by it
+const tiles = 13
+const from = 1, to = 12.5 // cells
+const jolt = 0.03 // metres a second: the floor is level, so who moves up by more was kicked
+const large = 0.15 // such a kick is shown slowly
+const step = 1 / 60
+const around = 0.06 // seconds before and after a kick that are shown slowly
+const pace = 0.42, slow = 0.05 // of time
+const pause = 70 // frames at the end
+const floors = [3.15, 1.1] // where the floors are drawn
+const thick = 0.34
+
+interface Kick {
+  readonly time: number
+  readonly at: Point
+  readonly change: Point // of the velocity, in metres a second
+}
+interface Roll {
+  readonly points: readonly Point[]
+  readonly speeds: readonly number[] // in cells a second
+  readonly kicks: readonly Kick[]
+}
+
+function roll(ghosts: boolean): Roll {
+  const world = createWorld()
+  world.fill({ i0: -1, j0: 0, i1: tiles, j1: 0 }, world.shape(square), 1)
+  world.commit()
+  const physics = new Physics({ gravity: { x: 0, y: -gravity } })
+  new PlanckTerrain(physics, world, { cellSize: cell, ghosts, material: () => ({ friction: 0 }) })
+  const ball = physics.createBody({ type: 'dynamic', bullet: true, position: { x: from * cell, y: (1 + radius) * cell } })
+  ball.createFixture(new Circle(radius * cell - skin), { density: 1, friction: 0 })
+  ball.setLinearVelocity(new Vec2(speed * cell, 0))
+  const points: Point[] = [[from, radius]], speeds = [speed], kicks: Kick[] = []
+  while (points.at(-1)![0] < to) {
+    const { x: vx, y: vy } = ball.getLinearVelocity().clone()
+    physics.step(step, 8, 3)
+    const v = ball.getLinearVelocity()
+    points.push([ball.getPosition().x / cell, ball.getPosition().y / cell - 1])
+    speeds.push(v.x / cell)
+    if (v.y - Math.max(0, vy) > jolt) kicks.push({ time: (points.length - 1) * step, at: points.at(-1)!, change: [v.x - vx, v.y - vy] })
+  }
+  world.free()
+  return { points, speeds, kicks }
+}
 
 export default function seams(element: HTMLElement): void {
-  const fig = new Figure(element, { x0: 0, y0: -0.2, x1: tiles, y1: 4.2 }, 'A wheel on a floor of tiles')
-  const world = createWorld()
-  world.fill({ i0: 0, j0: 0, i1: tiles - 1, j1: 0 }, world.shape(square), 1)
-  world.commit()
-  const physics = new Physics({ gravity: { x: 0, y: -3 } })
-  const terrain = new PlanckTerrain(physics, world, { cellSize: cell, ghosts: false, material: () => ({ friction: 0 }) })
-  const wheel = physics.createBody({ type: 'dynamic', bullet: true })
-  wheel.createFixture(new Circle(radius * cell - skin), { density: 1, friction: 0 })
-  let trail: Point[] = []
-  let kicks: Point[] = []
-  let isHeld = false
-  let wasUp = 0
-
-  const put = (x: number, y: number, vx: number) => {
-    wheel.setTransform(new Vec2(x * cell, y * cell), wheel.getAngle())
-    wheel.setLinearVelocity(new Vec2(vx * cell, 0))
-    wheel.setAwake(true)
-    wasUp = 0
+  const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: 5.2 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
+  const rolls = [roll(false), roll(true)]
+  const [rough, smooth] = rolls, first = rough.kicks[0].time
+  const end = (rough.points.length - 1) * step
+  const at = ({ points }: Roll, t: number): Point => {
+    const k = Math.min(points.length - 2, Math.floor(t / step)), part = Math.min(1, t / step - k), [a, b] = [points[k], points[k + 1]]
+    return [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
   }
-  const begin = () => {
-    trail = []
-    kicks = []
-    put(0.5, 1 + radius, speed)
+  const still = fig.layer(), moving = fig.layer()
+  for (const y of floors) {
+    for (let i = 0; i < tiles; ++i) still.append(rect('slab', i + 0.02, y - thick, i + 0.98, y))
   }
-  const at = (): Point => [wheel.getPosition().x / cell, wheel.getPosition().y / cell]
-
-  fig.toggle('Ghost vertices', false, (isOn) => {
-    terrain.ghosts = isOn
-    begin()
-    fig.redraw()
-  })
-  const ground = fig.layer()
-  const moving = fig.layer()
-  ground.append(...solids(world, 'ground tile'))
+  let time = 0, waits = 0
+  const ofHandle = (): Point => [at(rough, time)[0], at(rough, time)[1] + floors[0]]
   const handle = fig.handle({
-    at: [0.5, 1.4],
-    label: 'The wheel',
-    step: 0.25,
-    move(x, y) {
-      isHeld = true
-      const to: Point = [clamp(x, 0.4, tiles - 0.5), clamp(y, 1.4, 3.6)]
-      put(...to, 0)
-      trail = []
-      kicks = []
-      return to
-    },
-    drop() {
-      isHeld = false
-      put(...at(), speed)
+    at: [from, floors[0] + radius],
+    label: 'The ball without ghosts: to and fro in time',
+    step: 0.1,
+    move(x) {
+      stop()
+      const k = rough.points.findIndex(([px]) => px >= x)
+      const n = k < 0 ? rough.points.length - 1 : Math.max(1, k), [a, b] = [rough.points[n - 1][0], rough.points[n][0]]
+      time = clamp((n - 1 + (x - a) / (b - a)) * step, 0, end)
+      return ofHandle()
     },
   })
-  fig.runs(() => {
-    if (isHeld) return
-    physics.step(1 / 60, 8, 3)
-    const [x, y] = at()
-    const up = wheel.getLinearVelocity().y
-    if (up - Math.max(0, wasUp) > jolt) kicks.push([x, y])
-    wasUp = up
-    trail.push([x, y])
-    if (x > tiles + 0.5 || y < -1 || wheel.getLinearVelocity().x < 0.02) begin()
-    handle.at = at()
+  const stop = fig.runs(() => {
+    if (time >= end && ++waits < pause) return
+    if (waits >= pause) time = waits = 0
+    const isNear = rough.kicks.some((kick) => kick.change[1] > large && Math.abs(time - kick.time) < around)
+    time = Math.min(end, time + step * (isNear ? slow : pace))
+    handle.at = ofHandle()
   })
-  begin()
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) time = first + 0.7 * around
+  handle.at = ofHandle()
   fig.draws(() => {
-    const rest = 1 + radius
-    const higher = ([x, y]: Point): Point => [x, 2.6 + (y - rest) * height]
-    const [x, y] = at()
-    const parts: SVGElement[] = [path('grid', [[0, 2.6], [tiles, 2.6]]), disc('wheel', [x, y], radius)]
-    const angle = -x / radius
-    parts.push(path('spoke', [[x, y], [x + radius * Math.cos(angle), y + radius * Math.sin(angle)]]))
-    if (trail.length > 1) parts.push(path('trail', trail.map(higher)))
-    for (const kick of kicks) parts.push(disc('kick', higher(kick), 5 * fig.pixel))
-    parts.push(words('label', [tiles / 2, 3.8], 13 * fig.pixel, `its path, ${height} times as high`))
+    const parts: SVGElement[] = [], pixel = fig.pixel
+    const place = rolls.map((each, n): Point => [at(each, time)[0], at(each, time)[1] + floors[n]])
+    rolls.forEach((each, n) => {
+      const kind = n === 0 ? 'rough' : 'smooth', [x, y] = place[n], floor = floors[n]
+      parts.push(words(`label title ${kind}`, [0.05, floor - thick - 17 * pixel], 14 * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
+      parts.at(-1)!.setAttribute('text-anchor', 'start')
+      const trail = each.points.slice(0, Math.floor(time / step) + 1).map(([px, py]): Point => [px, py + floor])
+      parts.push(path(`way ${kind}`, [...trail, [x, y]]))
+      for (const kick of each.kicks) {
+        if (kick.time > time) continue
+        const [kx, ky] = [kick.at[0], floor], isLarge = kick.change[1] > large
+        if (isLarge) for (let k = 0; k < 5; ++k) {
+          const angle = Math.PI * (0.12 + 0.19 * k)
+          parts.push(path('flash', [[kx + 0.12 * Math.cos(angle), ky + 0.12 * Math.sin(angle)], [kx + 0.3 * Math.cos(angle), ky + 0.3 * Math.sin(angle)]]))
+        } else parts.push(disc('kick', [kx, ky], 3.5 * pixel))
+      }
+      if (n === 1) {
+        const under = Math.floor(x)
+        parts.push(path('whisker', [[under - 1, floor], [under + 2, floor]]), path('chosen', [[under, floor], [under + 1, floor]]))
+        for (const ghost of [under - 1, under + 2]) if (ghost >= 0 && ghost <= tiles) parts.push(disc('ghostpoint', [ghost, floor], 5 * pixel))
+      }
+      parts.push(disc(`rider ${kind}`, [x, y], radius))
+      const angle = -x / radius
+      parts.push(path('spoke', [[x, y], [x + radius * 0.75 * Math.cos(angle), y + radius * 0.75 * Math.sin(angle)]]))
+      const latest = each.kicks.findLast((kick) => kick.time <= time && kick.change[1] > large && time - kick.time < 3 * around)
+      if (latest !== undefined) {
+        const [dx, dy] = latest.change, length = Math.hypot(dx, dy)
+        const tip: Point = [x + (1.1 * dx) / length, y + (1.1 * dy) / length]
+        parts.push(arrow('push wrong', [x, y], tip, 13 * pixel, 0, 0.97), words('label askew', [tip[0] - 26 * pixel, tip[1] - 6 * pixel], 15 * pixel, 'kick'))
+      }
+    })
     moving.replaceChildren(...parts)
-    const now = wheel.getLinearVelocity().x / cell
-    fig.say(`${counted(kicks.length, 'kick')} on this run. Speed ${now.toFixed(2)} of ${speed} cells a second.`, true)
+    const kicked = rough.kicks.filter((kick) => kick.time <= time).length
+    const speedOf = ({ speeds }: Roll) => speeds[Math.min(speeds.length - 1, Math.round(time / step))].toFixed(1)
+    fig.say(`Without: ${counted(kicked, 'kick')}, ${speedOf(rough)} cells a second. With: ${counted(smooth.kicks.length, 'kick')}, ${speedOf(smooth)}.`, true)
   })
 }

@@ -1,5 +1,5 @@
 // A race: the same wheel over the same floor, with ghosts and without. The floor is level and has no friction, so that
-// nothing but kicks can slow a wheel down.
+// nothing but kicks can slow a wheel down. Gravity is that of the Moon, so that one sees how high they throw it.
 import { createWorld, type World } from 'localgridseg'
 import { ICE } from '../blocks.js'
 import type { Rider, Start } from '../bodies.js'
@@ -9,11 +9,12 @@ import { type Gate, Side, stepTime } from '../side.js'
 import { tiles } from '../tiles.js'
 
 export const finish = 24 // cells
-export const start: Start = { kind: 'marble', x: 0.5, y: 1.36, speed: 6, size: 0.35, colour: 0 }
+export const start: Start = { kind: 'marble', x: 0.5, y: 1.36, speed: 7.4, size: 0.35, colour: 0 }
+const gravity = 1.62 // metres per second squared
 const nowhere: Gate = { x: 0, y: 0, speed: 0, bottom: -1000 }
 const longest = 12 // seconds
-const before = 14 // steps of the replay before the kick
-const after = 16
+const before = 9 // steps of the replay before the kick
+const after = 10
 const worthwhile = 0.04 // metres a second: a kick that one can see under the lens
 
 /** Where a wheel was, in cells; its velocity in cells a second. */
@@ -39,6 +40,7 @@ export class Lane {
 
   constructor(world: World, mirror: Mirror, ghosts: boolean) {
     this.side = new Side(world, mirror, ghosts)
+    this.side.physics.setGravity({ x: 0, y: -gravity })
     this.side.add(start)
     this.rider = this.side.riders[0]
     this.#note()

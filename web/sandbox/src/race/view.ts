@@ -42,7 +42,7 @@ export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number,
 export function drawLanes(c: CanvasRenderingContext2D, race: Race, width: number, height: number): void {
   c.fillStyle = theme().sky
   c.fillRect(0, 0, width, height)
-  const cells = Math.max(farthest + 3.5, (width / height) * 2.9), behind = race.lanes[1].moments.at(-1)!.x
+  const cells = Math.max(farthest + 3.5, (width / height) * 3.6), behind = race.lanes[1].moments.at(-1)!.x
   const part = { from: Math.min(Math.max(whole.from, behind - 2), finish + 5 - cells), cells }
   race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: (k * height) / 2, width, height: height / 2 }, part))
 }
@@ -54,42 +54,46 @@ function unitOf({ width }: Place, { cells }: Part): number {
 function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: Place, part = whole): void {
   const colours = theme()
   const unit = unitOf(place, part)
-  const thick = part === whole ? 0.8 * unit : Math.min(30, 0.36 * place.height)
-  const floor = place.y + place.height - (part === whole ? 8 : 3) - thick
+  const text = Math.max(12, Math.min(16, place.height / 5.5))
+  const thick = Math.max(6, text * 0.6)
+  const line = place.y + place.height - text - 5 // what is written, below the floor
+  const floor = line - thick - 4
   const at = (x: number, y: number): [number, number] => [place.x + 12 + (x - part.from) * unit, floor - (y - 1) * unit]
+  const wheel = colours.riders[lane.side.ghosts ? 0 : 1]
   c.save()
   c.beginPath()
-  c.rect(place.x, place.y, place.width, place.height)
+  c.rect(place.x, place.y, place.width, floor + thick - place.y)
   c.clip()
+  drawFlag(c, at(finish, 1), Math.min(unit, place.height / 3))
+  drawPath(c, lane, at)
+  for (const kick of lane.kicks) drawKick(c, at(...kick.at), lane.moments.length - 1 - kick.moment, unit)
   for (let i = 0; i < finish + 5; ++i) {
     c.fillStyle = colours.ground
     const [x, y] = at(i, 1)
     c.fillRect(x + 0.5, y, unit - 1, thick)
   }
-  drawFlag(c, at(finish, 1), Math.min(unit, place.height / 3))
   if (lane.side.ghosts) drawGhosts(c, world, lane.moments.at(-1)!, at)
-  drawPath(c, lane, at)
-  for (const kick of lane.kicks) drawKick(c, at(...kick.at), lane.moments.length - 1 - kick.moment, unit)
-  drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, colours.riders[lane.side.ghosts ? 0 : 1])
+  drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, wheel)
   c.restore()
-  const text = Math.max(12, Math.min(17, place.height / 6))
-  const line = part === whole ? place.y + 10 : floor + (thick - text) / 2 // from near it is written on the floor
   c.textBaseline = 'top'
   c.textAlign = 'left'
+  c.fillStyle = wheel
+  c.beginPath()
+  c.arc(20, line + text / 2 - 1, text * 0.36, 0, 2 * Math.PI)
+  c.fill()
   c.fillStyle = colours.ink
   c.font = `600 ${text}px ${font}`
-  const title = lane.side.ghosts ? 'With ghost vertices' : 'Without ghost vertices'
-  c.fillText(title, 14, line)
-  const left = 24 + c.measureText(title).width
+  const title = lane.side.ghosts ? 'With ghost vertices' : 'Without'
+  c.fillText(title, 32, line)
+  const left = 44 + c.measureText(title).width
   if (lane.time !== null) {
-    c.font = `650 ${part === whole ? text * 1.5 : text}px ${font}`
     c.textAlign = 'right'
-    c.fillText(`${lane.time.toFixed(2)} s`, place.width - 14, part === whole ? line - 4 : line)
+    c.fillText(`${lane.time.toFixed(2)} s`, place.width - 14, line)
   }
   const kicks = lane.side.kicks.count
   c.font = `${text}px ${font}`
   c.textAlign = 'left'
-  c.fillStyle = kicks > 0 && part === whole ? colours.kick : colours.ink
+  c.fillStyle = kicks > 0 ? colours.removed : colours.ink
   c.fillText(`${kicks} ${kicks === 1 ? 'kick' : 'kicks'}`, left, line)
 }
 
@@ -165,9 +169,9 @@ function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void
   c.strokeStyle = colours.grid
   c.lineWidth = 1
   c.font = `12px ${font}`
-  c.textBaseline = 'bottom'
-  c.textAlign = 'left'
-  for (let v = 3; v <= start.speed; ++v) {
+  c.textBaseline = 'top'
+  c.textAlign = 'right'
+  for (let v = 3; v <= start.speed; v += 2) {
     const [x, y] = at({ x: -0.5, y: 0, angle: 0, vx: v, vy: 0 })
     c.beginPath()
     c.moveTo(x, y)
@@ -175,7 +179,7 @@ function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void
     c.stroke()
     c.fillStyle = colours.ink
     c.globalAlpha = 0.7
-    c.fillText(v === start.speed ? `speed ${v} cells a second` : String(v), x + 2, y - 2)
+    c.fillText(v + 2 > start.speed ? `${v} cells a second` : String(v), place.width - 14, y + 2)
     c.globalAlpha = 1
   }
   for (const lane of [race.lanes[1], race.lanes[0]]) {

@@ -1,0 +1,204 @@
+// What the digger's land looks like: sky and hills behind, soil with pebbles, light from above, and crystals that glow.
+// GroundPicture fills blocks with what is in `colours`: these are patterns here, which cost hardly more than colours. It
+// gets lighter with each crystal.
+import type { Fill, GroundPicture } from 'localgridseg/draw'
+import { type Crystals, shine } from './crystals.js'
+import { wantsCalm } from './theme.js'
+
+type Colour = readonly [number, number, number]
+interface Mood {
+  readonly sky: Colour
+  readonly low: Colour // of the sky
+  readonly hills: Colour
+  readonly rim: Colour // of what faces up
+  readonly dark: number // 0 to 1
+}
+const moods: readonly Mood[] = [
+  { sky: [22, 26, 58], low: [92, 66, 112], hills: [46, 42, 86], rim: [158, 150, 236], dark: 0.5 },
+  { sky: [92, 92, 164], low: [252, 178, 142], hills: [134, 104, 152], rim: [255, 204, 178], dark: 0.22 },
+  { sky: [126, 198, 234], low: [253, 240, 212], hills: [158, 200, 206], rim: [255, 240, 190], dark: 0 },
+  { sky: [104, 78, 150], low: [255, 158, 116], hills: [150, 94, 130], rim: [255, 204, 160], dark: 0.2 },
+]
+const shadow: Colour = [26, 22, 62]
+const rock: Colour = [87, 67, 74], cap: Colour = [217, 93, 74], soil: Colour = [181, 131, 90]
+const motes = 22
+const pixels = 16 // of a cell, in a pattern
+const fine = 0.02 // of the light: what nobody sees
+
+const mixed = (a: Colour, b: Colour, t: number): Colour => [0, 1, 2].map((n) => a[n] + (b[n] - a[n]) * t) as unknown as Colour
+const css = ([r, g, b]: Colour, alpha = 1) => `rgba(${Math.round(r)}, ${Math.round(g)}, ${Math.round(b)}, ${alpha})`
+
+export class Cave {
+  /** 0 is night, 2 day, 4 the next night. */
+  light = 0
+  readonly #canvas: HTMLCanvasElement
+  readonly #behind: HTMLCanvasElement
+  readonly #picture: GroundPicture
+  readonly #crystals: Crystals
+  readonly #colours: Record<number, Fill>
+  readonly #soil = soilTile()
+  readonly #caps = capTile()
+  readonly #gleams = Object.entries(shine).map(([block, colour]) => ({ block: Number(block), tile: gleamTile(colour) }))
+  readonly #halo = haloTile()
+  #seen = '' // of the sky
+  #coloured = -1 // for which light
+
+  constructor(canvas: HTMLCanvasElement, behind: HTMLCanvasElement, picture: GroundPicture, crystals: Crystals, colours: Record<number, Fill>) {
+    this.#canvas = canvas
+    this.#behind = behind
+    this.#picture = picture
+    this.#crystals = crystals
+    this.#colours = colours
+  }
+
+  /** Over what the picture has drawn. */
+  draw(now: number): void {
+    const k = Math.floor(this.light), t = this.light - k, from = moods[k % moods.length], to = moods[(k + 1) % moods.length]
+    const mood = { sky: mixed(from.sky, to.sky, t), low: mixed(from.low, to.low, t), hills: mixed(from.hills, to.hills, t), rim: mixed(from.rim, to.rim, t), dark: from.dark + (to.dark - from.dark) * t }
+    const time = wantsCalm() ? 0 : now / 1000
+    this.#colour(mood, time)
+    this.#drawSky(mood)
+    const c = this.#canvas.getContext('2d')!, { width, height, clientWidth } = this.#canvas
+    const { x, y, size } = this.#picture, scale = (size * width) / clientWidth, wide = clientWidth / size
+    c.save()
+    c.setTransform(scale, 0, 0, -scale, -scale * x, height + scale * y)
+    c.strokeStyle = css(mood.rim, 0.85)
+    c.lineWidth = 0.13
+    c.lineCap = c.lineJoin = 'round'
+    for (const rim of this.#crystals.rims()) c.stroke(rim)
+    c.fillStyle = css([255, 240, 190], 0.2 + 0.5 * mood.dark)
+    c.beginPath()
+    for (let k = 0; k < motes; ++k) {
+      const far = 0.4 + 0.6 * ((k * 0.37) % 1), at = (((k * 7.3 - x * far + 0.5 * Math.sin(time * 0.6 + k)) % wide) + wide) % wide
+      const my = 6 + ((k * 3.7) % 12) + 0.4 * Math.sin(time * 0.8 + 2 * k)
+      c.moveTo(x + at, my)
+      c.arc(x + at, my, (0.06 + 0.07 * far) * (0.8 + 0.3 * Math.sin(1.7 * time + 5 * k)), 0, 2 * Math.PI)
+    }
+    c.fill()
+    const radius = 3.3 + 0.25 * Math.sin(2 * time)
+    c.globalCompositeOperation = 'lighter'
+    c.globalAlpha = 0.25 + 0.6 * mood.dark
+    for (const [hx, hy] of this.#crystals.glowing)
+      if (hx > x - radius && hx < x + wide + radius) c.drawImage(this.#halo, hx - radius, hy - radius, 2 * radius, 2 * radius)
+    c.restore()
+  }
+
+  // For the next picture.
+  #colour({ dark }: Mood, time: number): void {
+    const c = this.#canvas.getContext('2d')!
+    const pattern = (tile: HTMLCanvasElement, scale: number, shift = 0) => {
+      const made = c.createPattern(tile, 'repeat')!
+      made.setTransform(new DOMMatrix([1 / scale, 0, 0, -1 / scale, shift, 0]))
+      return made
+    }
+    for (const { block, tile } of this.#gleams) this.#colours[block] = pattern(tile, 12, 3 * time)
+    if (Math.abs(this.#coloured - this.light) < fine) return
+    this.#coloured = this.light
+    this.#colours[1] = pattern(darkened(this.#soil, dark), pixels)
+    this.#colours[2] = css(mixed(rock, shadow, dark))
+    this.#colours[4] = pattern(darkened(this.#caps, 0.8 * dark), pixels)
+  }
+
+  // Only when one has walked, or the light has changed. It is not sharp: half the pixels do.
+  #drawSky({ sky, low, hills }: Mood): void {
+    const behind = this.#behind, { x, size } = this.#picture, { clientWidth, clientHeight } = this.#canvas
+    const seen = [Math.round(x * size), Math.round(this.light / fine), clientWidth, clientHeight].join()
+    if (seen === this.#seen) return
+    this.#seen = seen
+    Object.assign(behind, { width: Math.ceil(clientWidth / 2), height: Math.ceil(clientHeight / 2) })
+    const c = behind.getContext('2d', { alpha: false })!, wide = clientWidth / size
+    c.setTransform(size / 2, 0, 0, -size / 2, 0, behind.height)
+    const gradient = c.createLinearGradient(0, 22, 0, 4)
+    gradient.addColorStop(0, css(sky))
+    gradient.addColorStop(1, css(low))
+    c.fillStyle = gradient
+    c.fillRect(0, 0, wide + 1, clientHeight / size + 1)
+    for (const [far, base, high] of [[0.3, 9.5, 2.4], [0.55, 7, 1.6]]) {
+      c.fillStyle = css(hills, far + 0.15)
+      c.beginPath()
+      c.moveTo(0, 0)
+      for (let at = 0; at <= wide + 1; ++at) {
+        const there = at + x * far
+        c.lineTo(at, base + high * Math.sin(there / 5.3 + base) * Math.sin(there / 9.1) + 0.5 * high * Math.sin(there / 2.3))
+      }
+      c.lineTo(wide + 1, 0)
+      c.fill()
+    }
+  }
+}
+
+function tile(width: number, height: number, draw: (c: CanvasRenderingContext2D) => void): HTMLCanvasElement {
+  const canvas = document.createElement('canvas')
+  Object.assign(canvas, { width, height })
+  draw(canvas.getContext('2d')!)
+  return canvas
+}
+
+function darkened(from: HTMLCanvasElement, dark: number): HTMLCanvasElement {
+  return tile(from.width, from.height, (c) => {
+    c.drawImage(from, 0, 0)
+    c.fillStyle = css(shadow, dark)
+    c.fillRect(0, 0, from.width, from.height)
+  })
+}
+
+// Of 32 cells, as the land is high: darker far up, with layers and pebbles, the same at each visit.
+const soilTile = () => tile(32 * pixels, 32 * pixels, (c) => {
+  const all = 32 * pixels
+  let seed = 7
+  const random = () => ((seed = (seed * 16807) % 2147483647) / 2147483647)
+  c.fillStyle = css(soil)
+  c.fillRect(0, 0, all, all)
+  for (const [at, thick, alpha] of [[2.2, 0.9, 0.1], [4.4, 1.3, 0.08], [7.4, 0.6, 0.12], [9.2, 0.5, 0.08], [28.8, 0.5, 0.1], [30.2, 0.4, 0.12]]) {
+    c.strokeStyle = `rgba(70, 30, 20, ${alpha})`
+    c.lineWidth = thick * pixels
+    c.beginPath()
+    for (let x = -8; x <= all + 8; x += 8) c.lineTo(x, at * pixels + 5 * Math.sin((x * 2 * Math.PI * 3) / all + at))
+    c.stroke()
+  }
+  for (let k = 0; k < 380; ++k) {
+    c.fillStyle = random() < 0.55 ? 'rgba(50, 20, 20, 0.16)' : 'rgba(255, 226, 180, 0.14)'
+    c.beginPath()
+    c.ellipse(8 + (all - 16) * random(), 6 + (all - 12) * random(), 2 + 5 * random(), 1.2 + 2.2 * random(), 0.4 * random() - 0.2, 0, 2 * Math.PI)
+    c.fill()
+  }
+  const depth = c.createLinearGradient(0, 0, 0, 12 * pixels)
+  depth.addColorStop(0, 'rgba(40, 18, 50, 0.62)')
+  depth.addColorStop(1, 'rgba(40, 18, 50, 0)')
+  c.fillStyle = depth
+  c.fillRect(0, 0, all, 12 * pixels)
+})
+
+const capTile = () => tile(40, 40, (c) => {
+  c.fillStyle = css(cap)
+  c.fillRect(0, 0, 40, 40)
+  c.fillStyle = 'rgba(255, 232, 214, 0.85)'
+  for (const [x, y, r] of [[10, 10, 4], [30, 28, 5]]) {
+    c.beginPath()
+    c.arc(x, y, r, 0, 2 * Math.PI)
+    c.fill()
+  }
+})
+
+// Bright bands at a slant.
+const gleamTile = (colour: string) => tile(64, 64, (c) => {
+  c.fillStyle = colour
+  c.fillRect(0, 0, 64, 64)
+  for (const [at, width, alpha] of [[0, 14, 0.55], [20, 6, 0.3], [44, 12, -0.13]]) {
+    c.strokeStyle = alpha > 0 ? `rgba(255, 255, 255, ${alpha})` : `rgba(90, 30, 70, ${-alpha})`
+    c.lineWidth = width
+    for (const shift of [-64, 0, 64, 128]) {
+      c.beginPath()
+      c.moveTo(at + shift + 8, -8)
+      c.lineTo(at + shift - 72, 72)
+      c.stroke()
+    }
+  }
+})
+
+const haloTile = () => tile(128, 128, (c) => {
+  const gradient = c.createRadialGradient(64, 64, 0, 64, 64, 64)
+  for (const [at, alpha] of [[0, 0.75], [0.35, 0.32], [1, 0]]) gradient.addColorStop(at, `rgba(96, 232, 220, ${alpha})`)
+  c.fillStyle = gradient
+  c.fillRect(0, 0, 128, 128)
+})

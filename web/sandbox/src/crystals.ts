@@ -1,0 +1,133 @@
+// The crystals of the digger's land: where they hang, and which of them broke free. What breaks is counted, and an undo
+// that brings it back takes it from the count.
+import type { GroundBody } from 'localgridseg/islands'
+import type { Ground } from 'localgridseg/planck'
+
+/** Of the blocks that count. */
+export const shine: Readonly<Record<number, string>> = { 3: '#6df0e0', 5: '#ffd166' }
+const large = 3 // this block's hang from stems, and glow
+const least = 0.15 // square cells: less is only a crumb
+const share = 0.3 // of a rock's area: a boulder with a gem in it stays one
+
+interface Known {
+  readonly stroke: number // after which it was a rock
+  readonly crystal: number // its block, or 0
+  age: number
+  still: number // seconds
+  vx: number
+  vy: number
+}
+/** A rock hit something, or its crystal broke. Positions are in cells, speeds in cells a second. */
+export interface Hit {
+  readonly at: readonly [number, number]
+  readonly area: number
+  readonly block: number
+  readonly speed: number
+  readonly isBroken: boolean
+}
+
+const areaOf = (v: ArrayLike<number>): number => {
+  let sum = 0
+  for (let k = 0, l = v.length - 2; k < v.length; l = k, k += 2) sum += v[l] * v[k + 1] - v[k] * v[l + 1]
+  return sum / 2
+}
+
+export class Crystals {
+  /** How many broke free. */
+  get count(): number {
+    return this.#broken.length
+  }
+  readonly #ground: Ground
+  /** Of each square: the edges that face up, and the middles of the pieces of crystals. */
+  readonly #squares = new Map<string, { readonly rim: Path2D; readonly middles: readonly [number, number][] }>()
+  readonly #known = new WeakMap<GroundBody, Known>()
+  #broken: number[] = [] // after which stroke each came loose
+  #middles: [number, number][] = []
+
+  /** What the picture draws is seen by this, too. */
+  constructor(ground: Ground) {
+    this.#ground = ground
+    const draw = ground.draw.bind(ground)
+    ground.draw = () => {
+      const squares = draw()
+      for (const { key, fills, lines } of squares) {
+        if (lines.length === 0 && fills.length === 0) this.#squares.delete(key)
+        else this.#squares.set(key, { rim: rimOf(lines), middles: fills.filter(({ block }) => block === large).map(({ vertices: v }) => [(v[0] + v[4]) / 2, (v[1] + v[5]) / 2]) })
+      }
+      if (squares.length > 0) this.#cluster()
+      return squares
+    }
+  }
+
+  /** All edges of the ground that face up. */
+  *rims(): Iterable<Path2D> {
+    for (const { rim } of this.#squares.values()) yield rim
+  }
+
+  /** The middles of those that glow. */
+  get glowing(): readonly (readonly [number, number])[] {
+    const falling = this.#ground.rocks().filter(({ ground }) => this.#known.get(ground)?.crystal === large)
+    return [...this.#middles, ...falling.map(({ ground: { mass }, x, y, angle }) => placed(mass.x, mass.y, x, y, angle))]
+  }
+
+  /** After each step of the ground. `strokes` there are now. */
+  step(time: number, strokes: number, gravity: number): Hit[] {
+    this.#broken = this.#broken.filter((stroke) => stroke <= strokes)
+    const hits: Hit[] = []
+    for (const rock of this.#ground.rocks()) {
+      const { ground, body, x, y, angle, vx, vy } = rock
+      let known = this.#known.get(ground)
+      if (known === undefined) this.#known.set(ground, (known = { stroke: strokes, crystal: this.#crystalOf(ground), age: 0, still: 0, vx, vy }))
+      const speed = Math.hypot(vx - known.vx, vy - known.vy + gravity * time)
+      known.age += time
+      known.still = Math.hypot(vx, vy) < 0.5 ? known.still + time : 0
+      Object.assign(known, { vx, vy })
+      const isBroken = known.crystal !== 0 && body !== null && ((speed > 4 && known.age > 0.1) || known.still > 0.3)
+      if (!isBroken && speed < 4) continue
+      const { x: cx, y: cy, area } = ground.mass
+      hits.push({ at: placed(cx, cy, x, y, angle), area, block: known.crystal || ground.polygons[0].block, speed, isBroken })
+      if (!isBroken) continue
+      this.#broken.push(known.stroke)
+      this.#ground.forget(body)
+      body.getWorld().destroyBody(body)
+    }
+    return hits
+  }
+
+  #crystalOf({ polygons, mass }: GroundBody): number {
+    const all = new Map<number, number>()
+    for (const { block, vertices } of polygons) if (block in shine) all.set(block, (all.get(block) ?? 0) + areaOf(vertices))
+    for (const [block, area] of all) if (area > least && area > share * mass.area) return block
+    return 0
+  }
+
+  // A crystal has pieces in several cells.
+  #cluster(): void {
+    const sums: [number, number, number][] = []
+    for (const { middles } of this.#squares.values())
+      for (const [x, y] of middles) {
+        const near = sums.find(([sx, sy, n]) => Math.hypot(sx / n - x, sy / n - y) < 3)
+        if (near === undefined) sums.push([x, y, 1])
+        else [near[0], near[1], near[2]] = [near[0] + x, near[1] + y, near[2] + 1]
+      }
+    this.#middles = sums.map(([x, y, n]) => [x / n, y / n])
+  }
+}
+
+// The solid is on the left of a line, so what faces up runs to the left.
+function rimOf(lines: readonly ArrayLike<number>[]): Path2D {
+  const path = new Path2D()
+  for (const line of lines)
+    for (let k = 2, isOpen = false; k < line.length; k += 2) {
+      const dx = line[k] - line[k - 2], dy = line[k + 1] - line[k - 1], isUp = dx < -0.7 * Math.abs(dy)
+      if (isUp && !isOpen) path.moveTo(line[k - 2], line[k - 1])
+      if (isUp) path.lineTo(line[k], line[k + 1])
+      isOpen = isUp
+    }
+  return path
+}
+
+function placed(px: number, py: number, x: number, y: number, angle: number): [number, number] {
+  const c = Math.cos(angle), s = Math.sin(angle)
+  return [x + c * px - s * py, y + s * px + c * py]
+}

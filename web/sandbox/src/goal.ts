@@ -1,0 +1,127 @@
+// What there is to win in the digger: crystals. Cut free they fall, break and fly to their places, and it gets lighter;
+// undo takes them back. Whatever falls throws dust, and shakes the picture if it is heavy.
+import type { GroundPicture } from 'localgridseg/draw'
+import type { Ground } from 'localgridseg/planck'
+import { colours } from '../../examples/digger.js'
+import { Cave } from './cave.js'
+import { Crystals, type Hit, shine } from './crystals.js'
+import { element } from './dom.js'
+import { Sparks } from './sparks.js'
+import { wantsCalm } from './theme.js'
+
+const gravity = 20 // cells per second squared, as in digger.js
+const shards = 7 // of a crystal that fly to its place
+const crumbColours: Readonly<Record<number, string>> = { 1: '#8d6244', 2: '#4a3a44', 3: shine[3], 4: '#d95d4a', 5: shine[5] }
+const dustColour = '#d9c3a5'
+const feast = 2.5 // seconds, when all places are full
+
+export class Goal {
+  readonly crystals: Crystals
+  readonly #canvas: HTMLCanvasElement
+  readonly #ground: Ground
+  readonly #picture: GroundPicture
+  readonly #strokes: () => number
+  readonly #cave: Cave
+  readonly #sparks = new Sparks()
+  readonly #places = [...element('dig-places').children] as HTMLElement[]
+  readonly #total = element('dig-total')
+  #arrived = 0 // crystals that are in their places
+  #feast = 0 // seconds that are left of it
+  #shake = 0 // pixels
+
+  constructor(canvas: HTMLCanvasElement, ground: Ground, picture: GroundPicture, strokes: () => number) {
+    this.#canvas = canvas
+    this.#ground = ground
+    this.#picture = picture
+    this.#strokes = strokes
+    this.crystals = new Crystals(ground)
+    this.#cave = new Cave(canvas, element<HTMLCanvasElement>('dig-sky'), picture, this.crystals, colours)
+    for (const type of ['pointerdown', 'pointermove'] as const)
+      canvas.addEventListener(type, (event) => { if (event.buttons !== 0) this.#dig(picture.at(event)) }, { capture: true })
+    requestAnimationFrame((now) => this.#frame(now, now - 16))
+  }
+
+  #frame(now: number, last: number): void {
+    if (!this.#canvas.isConnected) return
+    const time = Math.min(0.05, (now - last) / 1000)
+    for (const hit of this.crystals.step(time, this.#strokes(), gravity)) this.#hit(hit)
+    this.#sparks.step(time)
+    this.#settle(time)
+    const round = this.#places.length, { light } = this.#cave
+    this.#cave.light += ((2 * this.#arrived) / round - light) * Math.min(1, 2 * time)
+    this.#cave.draw(now)
+    const c = this.#canvas.getContext('2d')!, { x, y, size } = this.#picture, scale = (size * this.#canvas.width) / this.#canvas.clientWidth
+    c.save()
+    c.setTransform(scale, 0, 0, -scale, -scale * x, this.#canvas.height + scale * y)
+    this.#sparks.draw(c)
+    c.restore()
+    requestAnimationFrame((next) => this.#frame(next, now))
+  }
+
+  /** Before the ground is dug: crumbs of what is there. */
+  #dig([x, y]: [number, number]): void {
+    for (let k = 0; k < 6; ++k) {
+      const at = [x + 0.55 * Math.cos(k), y + 0.55 * Math.sin(k)] as const, spot = this.#ground.world.at(...at)
+      if (spot.where !== 'outside') this.#sparks.crumbs(at, 1, crumbColours[spot.block] ?? dustColour, 5)
+    }
+  }
+
+  #hit({ at, area, block, speed, isBroken }: Hit): void {
+    const hard = Math.min(1, (speed * Math.sqrt(area)) / 50)
+    if (!wantsCalm()) this.#shake = Math.max(this.#shake, 7 * hard)
+    const below: [number, number] = [at[0], at[1] - 0.45 * Math.sqrt(area)]
+    this.#sparks.dust(below, 6 + Math.round(14 * hard), 3 + 9 * hard, dustColour)
+    this.#sparks.crumbs(below, Math.round(10 * hard), crumbColours[block] ?? dustColour, 7)
+    if (!isBroken) return
+    this.#sparks.crumbs(at, 26, shine[block], 11, 0.3)
+    // The place is the next one that is free when it arrives.
+    const nth = this.crystals.count - 1, to = () => this.#inCells(this.#places[nth % this.#places.length])
+    for (let k = 0; k < shards; ++k) this.#sparks.fly(at, to, shine[block], 0.75 + 0.06 * k, () => { if (k === 0) this.#arrive(block) })
+  }
+
+  #arrive(block: number): void {
+    if (this.#arrived >= this.crystals.count) return // it was undone on its way
+    const place = this.#places[this.#arrived % this.#places.length]
+    if (this.#arrived % this.#places.length === 0) this.#empty()
+    ++this.#arrived
+    place.style.setProperty('--shine', shine[block])
+    place.className = 'full'
+    this.#tell()
+    if (this.#arrived % this.#places.length === 0) this.#feast = feast
+  }
+
+  /** What time does to the shake, to a feast, and to what was undone. */
+  #settle(time: number): void {
+    this.#shake *= Math.exp(-9 * time)
+    const shift = () => (this.#shake < 0.3 ? 0 : this.#shake * (2 * Math.random() - 1))
+    this.#canvas.style.translate = `${shift()}px ${shift()}px`
+    if (this.#arrived > this.crystals.count) {
+      this.#arrived = this.crystals.count
+      const full = this.#arrived % this.#places.length
+      for (const [k, place] of this.#places.entries()) if (k >= full) place.className = ''
+      this.#tell()
+    }
+    if (this.#feast <= 0) return
+    const { cells } = this.#picture, before = Math.ceil(this.#feast * 8)
+    this.#feast -= time
+    if (Math.ceil(this.#feast * 8) < before && !wantsCalm()) {
+      const at: [number, number] = [cells.i0 + (cells.i1 - cells.i0) * Math.random(), 9 + 9 * Math.random()]
+      this.#sparks.crumbs(at, 24, Object.values(shine)[before % 2], 9, 0.26)
+    }
+    if (this.#feast <= 0) this.#empty()
+  }
+
+  #empty(): void {
+    for (const place of this.#places) place.className = ''
+  }
+
+  #tell(): void {
+    this.#total.textContent = this.#arrived < this.#places.length ? '' : String(this.#arrived)
+    element('dig-goal').ariaLabel = `${this.#arrived} crystal${this.#arrived === 1 ? '' : 's'} free`
+  }
+
+  #inCells(place: HTMLElement): [number, number] {
+    const { left, top, width, height } = place.getBoundingClientRect(), canvas = this.#canvas.getBoundingClientRect()
+    return this.#picture.at({ offsetX: left + width / 2 - canvas.left, offsetY: top + height / 2 - canvas.top })
+  }
+}
