@@ -37,6 +37,7 @@ void Answer::take(const lgs_engine_segment& s, OutlineSegment& to) {
 
 void takeSegments(void* to, const lgs_engine_segment* segments, std::size_t count) {
   Answer& answer = *static_cast<Answer*>(to);
+  if (answer.can.delta) answer.fault = "segments, and declares 'delta'";
   for (const lgs_engine_segment& s : std::span(segments, count)) answer.take(s, answer.outline.emplace_back());
 }
 

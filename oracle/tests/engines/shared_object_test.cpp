@@ -43,10 +43,12 @@ struct Fake {
                                            preserve,           add,    remove,          commit};
 };
 
-Mismatch::Kind kindOfFinding(const lgs_engine_segment& segment, bool refuses) {
+Mismatch::Kind kindOfFinding(const lgs_engine_segment& segment, bool refuses, const char* can = "ghosts blocks") {
   Fake::segment = segment;
   Fake::refuses = refuses;
-  const auto engine = TableEngine::make(&Fake::kTable);
+  lgs_engine_table table = Fake::kTable;
+  table.capabilities = can;
+  const auto engine = TableEngine::make(&table);
   EXPECT_TRUE(engine);
   const Trace trace{{}, {Call::add("a", {{}, 1, {{0, 0}, {65'536, 0}, {0, 65'536}}})}};
   const auto found = findMismatch(trace, {.engine = engine->get()});
@@ -57,6 +59,9 @@ Mismatch::Kind kindOfFinding(const lgs_engine_segment& segment, bool refuses) {
 TEST(SharedObject, ItsFaultsAreFound) {
   EXPECT_EQ(kindOfFinding({{0, 0}, {65'536, 0}, {0, 1}, {2, 2}, 1, 0}, false), Mismatch::Kind::naive);
   EXPECT_EQ(kindOfFinding({{0, 0}, {65'536, 0}, {0, 1}, {2, 2}, 1, 0}, true), Mismatch::Kind::verdict);
+  EXPECT_EQ(kindOfFinding({{0, 0}, {65'536, 0}, {0, 1}, {2, 2}, 1, 0}, false, "ghosts blocks delta"),
+            Mismatch::Kind::protocol)
+      << "it declares lists of changes, and puts out segments";
   EXPECT_EQ(kindOfFinding({{0, 0}, {0, 0}, {0, 1}, {2, 2}, 1, 0}, false), Mismatch::Kind::naive) << "no length";
   EXPECT_EQ(kindOfFinding({{0, 0}, {INT64_MAX, 0}, {0, 1}, {2, 2}, 1, 0}, false), Mismatch::Kind::protocol);
   EXPECT_EQ(kindOfFinding({{0, 0}, {1, 0}, {INT64_MIN, 1}, {2, 2}, 1, 3}, false), Mismatch::Kind::naive) << "missing";

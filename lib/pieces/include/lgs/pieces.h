@@ -3,7 +3,6 @@
 //
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::Pieces pieces(world);                                 // reads all polygons once
-//   world.commit();
 //   if (!pieces.update(world, world.commit()))                 // after each commit(), rollBack() and redo()
 //     pieces = lgs::Pieces(world);                             // one was missed
 //   for (lgs::Cell cell : pieces.changed())                    // these cells have other pieces now

@@ -17,7 +17,8 @@
 // Dynamic bodies that rest on changed ground wake up, and so do those within 20 cm of where new ground appears. Nothing
 // else is touched.
 //
-// To be called from one thread at a time, and not during b2World_Step(). Nothing fails, unless it is said.
+// To be called from one thread at a time, and not during b2World_Step(), but for functions that are const, which Box2D's
+// callbacks may call from several. Nothing fails, unless it is said.
 #pragma once
 
 #include <lgs/box2d/terrain_base.h>
