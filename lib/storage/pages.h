@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -20,30 +19,32 @@
 
 namespace lgs::detail {
 
-struct FreeSlab {
-  bool isLarge = false;
-  void operator()(std::byte* memory) const;
-};
-
-/// Memory for one or more pages.
-class Slab {
+/// Memory for pages of one size.
+class PageMemory {
  public:
-  /// `before` says how many pages there are already.
-  static Slab forPages(std::size_t pageBytes, std::size_t before);
-
-  std::byte* memory() const { return memory_.get(); }
-  std::size_t pages() const { return pages_; }
-  std::uint64_t bytes() const { return bytes_; }
-  bool contains(const std::byte* p) const {
-    return std::greater_equal()(p, memory()) && std::less()(p, memory() + bytes_);
-  }
-
-  std::size_t used = 0;  ///< pages of it that are given out
+  /// For one more page, when so many are in use.
+  std::byte* take(std::size_t pageBytes, std::size_t inUse);
+  /// Of a page that is not needed any more. A slab of which no page is left is given back.
+  void giveBack(std::byte* page);
+  std::uint64_t bytes() const;
 
  private:
-  std::unique_ptr<std::byte, FreeSlab> memory_;
-  std::size_t pages_ = 0;
-  std::size_t bytes_ = 0;
+  struct Free {
+    bool isLarge = false;
+    void operator()(std::byte* memory) const;
+  };
+  /// Memory for one or more pages.
+  struct Slab {
+    std::unique_ptr<std::byte, Free> memory;
+    std::size_t bytes = 0;
+    std::size_t used = 0;  ///< pages of it that are given out
+    bool contains(const std::byte* page) const;
+  };
+  static Slab slabFor(std::size_t pageBytes, std::size_t inUse);
+  std::vector<Slab>::iterator slabOf(const std::byte* page);
+
+  std::vector<Slab> slabs_;
+  std::vector<std::byte*> spare_;  ///< pages of slabs that are not given out
 };
 
 template <class Page>
@@ -70,8 +71,9 @@ class Pages {
     return *this;
   }
   ~Pages() {
-    for (Page* page : pages_)
-      if (page) page->~Page();
+    if constexpr (!std::is_trivially_destructible_v<Page>)
+      for (Page* page : pages_)
+        if (page) page->~Page();
   }
 
   Page& operator[](std::size_t k) const {
@@ -98,17 +100,13 @@ class Pages {
     addMissing();
     return make(pages_.size() - 1);
   }
-  /// It is missing from now on. A slab of which no page is left is given back.
+  /// It is missing from now on.
   void drop(std::size_t k) {
     assert(has(k));
-    pages_[k]->~Page();
-    auto* const memory = reinterpret_cast<std::byte*>(std::exchange(pages_[k], nullptr));
+    Page* const page = std::exchange(pages_[k], nullptr);
+    page->~Page();
     ++missing_;
-    spare_.push_back(memory);
-    const auto slab = slabOf(memory);
-    if (--slab->used != 0) return;
-    std::erase_if(spare_, [&](const std::byte* page) { return slab->contains(page); });
-    slabs_.erase(slab);
+    memory_.giveBack(reinterpret_cast<std::byte*>(page));
   }
   /// There are so many from now on. The others are missing.
   void shorten(std::size_t size) {
@@ -117,43 +115,24 @@ class Pages {
     pages_.resize(size);
     giveBackSpare(pages_);
   }
-  std::uint64_t bytes() const {
-    std::uint64_t sum = pages_.capacity() * sizeof pages_[0] + slabs_.capacity() * sizeof slabs_[0] +
-                        spare_.capacity() * sizeof spare_[0];
-    for (const Slab& slab : slabs_) sum += slab.bytes();
-    return sum;
-  }
+  std::uint64_t bytes() const { return pages_.capacity() * sizeof pages_[0] + memory_.bytes(); }
 
  private:
   void swap(Pages& other) noexcept {
     pages_.swap(other.pages_);
     std::swap(missing_, other.missing_);
-    slabs_.swap(other.slabs_);
-    spare_.swap(other.spare_);
-  }
-  /// From the newest one on, where most pages are given out.
-  std::vector<Slab>::iterator slabOf(const std::byte* page) {
-    auto slab = slabs_.end() - 1;
-    for (; !slab->contains(page); --slab) assert(slab != slabs_.begin());
-    return slab;
+    std::swap(memory_, other.memory_);
   }
   /// Memory for a page that is missing.
   std::byte* place() {
-    if (spare_.empty()) {
-      const Slab& slab = slabs_.emplace_back(Slab::forPages(sizeof(Page), pages_.size() - missing_));
-      for (std::size_t n = slab.pages(); n-- != 0;) spare_.push_back(slab.memory() + n * sizeof(Page));
-    }
-    std::byte* const page = spare_.back();
-    spare_.pop_back();
-    ++slabOf(page)->used;
+    std::byte* const page = memory_.take(sizeof(Page), pages_.size() - missing_);
     --missing_;
     return page;
   }
 
   std::vector<Page*> pages_;  ///< null where one is missing
   std::size_t missing_ = 0;
-  std::vector<Slab> slabs_;
-  std::vector<std::byte*> spare_;  ///< pages of slabs that are not given out
+  PageMemory memory_;
 };
 
 }  // namespace lgs::detail
