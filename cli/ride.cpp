@@ -58,11 +58,11 @@ auto stillAbove(const Scene& scene, Cell origin) {
 }
 
 void printTable(const std::vector<bench::NamedTrack>& tracks, double startX) {
-  fmt::print("{:<34} {:>8} {:>7} {:>17} {:>14} {:>10}\n", "the ground as", "path, m", "kicks", "per 1,000 cells",
-             "strongest, m/s", "came to x");
+  fmt::print("{:<34} {:>8} {:>17} {:>17} {:>14} {:>10}\n", "the ground as", "path, m", "ghost collisions",
+             "per 1,000 cells", "strongest, m/s", "came to x");
   for (const auto& [way, track] : tracks) {
     const double end = track.samples.empty() ? startX : track.samples.back().position.x;
-    fmt::print("{:<34} {:>8.1f} {:>7} {:>17.0f} {:>14.2f} {:>10.1f}\n", name(way), track.length, track.kicks.size(),
+    fmt::print("{:<34} {:>8.1f} {:>17} {:>17.0f} {:>14.2f} {:>10.1f}\n", name(way), track.length, track.kicks.size(),
                1000 * static_cast<double>(track.kicks.size()) / std::max(track.length, 1e-9), track.strongest(), end);
   }
 }
@@ -148,9 +148,9 @@ void addCourseOptions(CLI::App& command, RideArguments& arguments) {
 constexpr const char* kRideHelp =
     "The ground is given to Box2D in five ways, and the same body rides over each: as the library's terrain,\n"
     "as the same edges without ghosts, as a fixture for each polygon, as the terrain with straight runs\n"
-    "merged, and as chains of the loops of CGAL's union. The table counts the kicks of each ride. A kick is\n"
-    "a push of at least 0.01 m/s in a direction that the ground does not have there, to within a degree. That\n"
-    "is a ghost collision. A cell is a metre. The picture shows the first three ways.\n\n"
+    "merged, and as chains of the loops of CGAL's union. The table counts the ghost collisions of each ride:\n"
+    "pushes of at least 0.01 m/s in a direction that the ground does not have there, to within a degree.\n"
+    "A cell is a metre. The picture shows the first three ways.\n\n"
     "Example: lgs ride level.tmx --rider capsule --upright --speed 5 --steps 1800 --svg ride.svg";
 
 }  // namespace

@@ -25,7 +25,7 @@ COMPONENTS = {
                [Tests("lgs_engine_tests", "*")]),
     "brushes": (("lib/brush",), [Tests("lgs_brush_tests", "*")]),
     "views": (("lib/views", "lib/pieces"), [Tests("lgs_view_tests", "*")]),
-    "judge": (("oracle/check", "oracle/reference"),
+    "checker": (("oracle/check", "oracle/reference"),
               [Tests("lgs_oracle_tests", JUDGE), Tests("lgs_engines_tests", ENGINES)]),
     "importer": (("addons/tiled",), [Tests("lgs_tiled_tests", "*")]),
     "C": (("addons/c/src",), [Tests("lgs_attack", "*")]),
@@ -36,7 +36,7 @@ COMPONENTS = {
     "WebAssembly": (("web/wasm",), [Package(path.name) for path in sorted((ROOT / "web/package/test").glob("*.test.js"))
                                     if path.name.removesuffix(".test.js") not in NOT_OF_MODULES]),
 }
-HEART = ("engine", "brushes", "views", "judge")
+HEART = ("engine", "brushes", "views", "checker")
 
 
 @cache

@@ -123,9 +123,9 @@ std::vector<Cell> cellsOf(const std::vector<NamedTrack>& tracks, const RideOptio
 }
 
 LegendEntry entryOf(std::size_t which, const NamedTrack& t) {
-  const std::string kicks = t.track.kicks.empty() ? "no kick"
-                                                  : oracle::counted(t.track.kicks.size(), "kick") + ", up to " +
-                                                        number(t.track.strongest()) + " m/s";
+  const std::string kicks = t.track.kicks.empty() ? "no ghost collision"
+                                                  : oracle::counted(t.track.kicks.size(), "ghost collision") +
+                                                        ", up to " + number(t.track.strongest()) + " m/s";
   return lineEntry(fmt::format("{}: {}", name(t.way), kicks), kStyles[which].colour, kStyles[which].width);
 }
 
@@ -139,8 +139,8 @@ std::string drawRides(const oracle::Scene& scene, const oracle::Outline& outline
   const Panel panel(extent, fittingCellSize(extent, kWidest, kHighest), {kMargin, kMargin + kHeadingHeight});
 
   const std::string subtitle =
-      fmt::format("A {} of {:.2g} m over {} in Box2D 2.4; a ring is a kick, a push that the ground can not give",
-                  name(options.rider), options.size, oracle::counted(scene.polygons.size(), "polygon"));
+      fmt::format("A {} of {:.2g} m over {} in Box2D 2.4; a ring is a ghost collision", name(options.rider),
+                  options.size, oracle::counted(scene.polygons.size(), "polygon"));
   std::vector<LegendEntry> entries;
   for (std::size_t k = 0; k < tracks.size(); ++k) entries.push_back(entryOf(k, tracks[k]));
   const double width = std::max(panel.width, headingWidth(title, subtitle));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the table of kicks of docs/reports/box2d.md. It runs `lgs ride` once for each line.
+"""Prints the table of ghost collisions of docs/reports/box2d.md. It runs `lgs ride` once for each line.
 
     addons/box2d/ride/table.py build/release/cli/lgs
 """

@@ -340,12 +340,13 @@ class World {
 
   // --- Reading ------------------------------------------------------------------------------------------------------
 
-  /// The polygons of a cell, after all edits, committed or not. A cell out of range holds none.
+  /// The polygons of a cell, after all edits, committed or not. A cell out of range, or of an unloaded chunk, holds
+  /// none: firstUnloaded() distinguishes these.
   std::vector<PlacedPolygon> polygons(Cell cell) const noexcept;
   void polygons(Cell cell,
                 std::vector<PlacedPolygon>& out) const noexcept;  ///< the same, replacing the content of `out`
 
-  /// Whether a cell holds no polygon. A cell out of range holds none.
+  /// Whether a cell holds no polygon that is in memory. A cell out of range, or of an unloaded chunk, holds none.
   bool isEmpty(Cell cell) const noexcept;
 
   /// Calls visit(cell, polygon) for every placed polygon, those inside the ground too: chunk by chunk, in the order in

@@ -2,9 +2,10 @@
 // the cost of what a commit changed. The view stands beside the world, and the world knows nothing of it:
 //
 //   lgs::Loops loops(world);                            // walks all segments once
-//   loops.update(world, world.commit());                // and from now on, after each commit
+//   if (!loops.update(world, world.commit()))           // and from now on, after each commit
+//     loops = lgs::Loops(world);                        // one was missed
 //   for (const lgs::LoopPair& p : loops.changes().split) …   // a part of p.from is a new loop: p.into
-//   if (world.rollBack(mark)) loops.update(world, world.changesOfRollBack());
+//   if (world.rollBack(mark)) …                          // and update() likewise, with changesOfRollBack()
 //
 // A loop with positive area runs around solid ground; it is the outline of an island (islands.h). One with negative
 // area runs around a hole. The segments of a loop follow each other by law 2.

@@ -99,11 +99,11 @@ LGS_API lgs_status lgs_polygon_vertices(const lgs_world* world, lgs_polygon_id i
 LGS_API lgs_status lgs_owner(const lgs_world* world, lgs_segment_id segment, lgs_polygon* owner,
                              lgs_error* error) LGS_NOTHROW;
 
-/* The polygons of a cell, as a list, by id. A cell out of range holds none. */
+/* The polygons of a cell, as a list, by id. A cell out of range, or of an unloaded chunk, holds none. */
 LGS_API lgs_status lgs_polygons_in(const lgs_world* world, lgs_cell cell, lgs_polygon* polygons, size_t capacity,
                                    size_t* count) LGS_NOTHROW;
 
-/* Writes 1 if a cell holds no polygon, otherwise 0. */
+/* Writes 1 if a cell holds no polygon that is in memory, otherwise 0: 1, too, in an unloaded chunk. */
 LGS_API lgs_status lgs_is_empty(const lgs_world* world, lgs_cell cell, int32_t* is_empty) LGS_NOTHROW;
 
 /* Gets a polygon; `vertices` has polygon->vertices points, and stays until it returns. It may read the world. */
