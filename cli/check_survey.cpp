@@ -68,7 +68,7 @@ void addSurveyOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& 
             arguments->survey.laws = words;
             arguments->survey.isGiven = true;
           },
-          "What is a recommendation, told and no fault: ghosts=should,\nblocks=, islands=, history= or "
+          "What is a recommendation, reported and no fault: ghosts=should,\nblocks=, islands=, history= or "
           "minimality=should")
       ->option_text("'WORD ...'")
       ->excludes("--map");

@@ -59,7 +59,7 @@ struct Mismatch {
     verdict,   ///< the engine accepts what is bad, refuses what is good, or says another reason
     refusal,   ///< a refused edit changed something
     changes,   ///< a change list is wrong
-    needless,  ///< a change list tells of what did not change
+    needless,  ///< a change list reports what did not change
     reading,   ///< the world's queries contradict each other or the edits
     naive,     ///< another outline than the naive reference's
     cgal,      ///< another outline than CGAL's

@@ -48,7 +48,7 @@ std::string Seen::told() const {
   if (delta == nullptr) return "";
   constexpr std::size_t kMost = 10;
   const SegmentChanges& changes = delta->changes();
-  std::string text = "in this commit the engine told of " +
+  std::string text = "in this commit the engine reported " +
                      (changes.empty() ? std::string("nothing\n") : counted(changes.size(), "change") + ":\n");
   for (std::size_t k = 0; k < std::min(kMost, changes.size()); ++k) {
     const auto& [sign, id, segment] = changes[k];

@@ -19,7 +19,7 @@ std::string wrongRefusals(const std::vector<RefusedEdit>& expected, const std::v
   if (at.in1 != expected.end() && isMoreIn(expected, actual, *at.in1))
     return fmt::format("accepted, but must be refused as {}: '{}'", at.in1->reason, at.in1->name);
   if (at.in2 == actual.end()) return "";
-  return fmt::format("the refusal of '{}' is not told in the order of the edits", shortened(at.in2->name));
+  return fmt::format("the refusal of '{}' is not reported in the order of the edits", shortened(at.in2->name));
 }
 
 }  // namespace lgs::oracle

@@ -11,7 +11,7 @@ std::string describe(Mismatch::Kind kind) {
   constexpr std::array kWords{"a call was not answered as it must be",
                               "a refused edit changed something",
                               "the change list is wrong",
-                              "the change list tells of what did not change",
+                              "the change list reports what did not change",
                               "the world does not read as it was edited",
                               "the outline differs from the naive reference's",
                               "the outline differs from CGAL's",

@@ -70,7 +70,7 @@ TEST(CheckWords, RefusalsTooManyTooFewAndInAnotherOrder) {
   EXPECT_EQ(wrongRefusals({a, b}, {b}), "accepted, but must be refused as overlap: 'a'");
   EXPECT_EQ(wrongRefusals({a, b}, {a}), "accepted, but must be refused as capacity: 'b'");
   EXPECT_EQ(wrongRefusals({a, a}, {a}), "accepted, but must be refused as overlap: 'a'");
-  EXPECT_EQ(wrongRefusals({a, b}, {b, a}), "the refusal of 'b' is not told in the order of the edits");
+  EXPECT_EQ(wrongRefusals({a, b}, {b, a}), "the refusal of 'b' is not reported in the order of the edits");
 }
 
 }  // namespace

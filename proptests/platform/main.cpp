@@ -20,7 +20,7 @@ constexpr std::array<Part, 12> kParts{{
     {"edits", platform::edits},
     {"relations", platform::relations},
     {"executor", platform::executor},
-    {"going-back", platform::goingBack},
+    {"roll-back", platform::rollBack},
     {"saves", platform::saves},
     {"unloading", platform::unloading},
     {"brushes", platform::brushes},

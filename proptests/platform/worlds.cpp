@@ -88,7 +88,7 @@ void executor(Hash& hash) {
   }
 }
 
-void goingBack(Hash& hash) {
+void rollBack(Hash& hash) {
   Random choices(1'300);
   Editor editor(hash, 300, lgs::World(), withMarks(Editor::kHabits));
   for (int k = 0; k < 2'000; ++k) {

@@ -1,4 +1,4 @@
-// Law 6 of an engine that tells what changed: it uses its ids rightly, or no copy could follow.
+// Law 6 of an engine that reports what changed: it uses its ids rightly, or no copy could follow.
 #include "oracle/check/laws/list.h"
 
 namespace lgs::oracle {

@@ -20,8 +20,8 @@ namespace lgs::oracle::laws {
 #define LGS_LAWS(law)                                                                               \
   law(refusals,  library)  /* 7: what is refused changes nothing */                                 \
   law(handles,   library)  /* a handle of what is gone names nothing */                             \
-  law(marks,     library)  /* a mark that the world rolled back beyond leads nowhere */                 \
-  law(brushes,   library)  /* 8 to 10: near to the exact result; what is not reached stays */        \
+  law(marks,     library)  /* a mark that the world rolled back beyond leads nowhere */             \
+  law(brushes,   library)  /* 8 to 10: near to the exact result; what is not reached stays */       \
   law(changes,   library)  /* 6: the lists of changes, alone, keep a copy up to date */             \
   law(locality,  library)  /* 5: a commit changes what lies at the edits */                         \
   law(polygons,  library)  /* what stands reads as it was placed */                                 \
@@ -29,12 +29,12 @@ namespace lgs::oracle::laws {
   law(loopView,  library)  /* 15: loops, also while chunks come and go */                           \
   law(views,     library)  /* 15: a view is its recompute */                                        \
   law(bodies,    library)  /* what is taken out of the ground, and foreseen */                      \
-  law(ids,       any)      /* 6: of an engine that tells what changed: no id twice */               \
+  law(ids,       any)      /* 6: of an engine that reports what changed: no id twice */             \
   law(regions,   regions)  /* 8: what strokes of other engines come to */                           \
   law(outline,   any)      /* 1 to 3 and 14: the references have the same segments, links, loops */ \
   law(islands,   any)      /* what hangs together */                                                \
-  law(minimality, any)     /* 6: of an engine that tells what changed: it tells nothing else */     \
-  law(questions, library)  /* what is asked about places is answered as the slow way answers it */  \
+  law(minimality, any)     /* 6: of an engine that reports what changed: it reports nothing else */ \
+  law(questions, library)  /* questions about places are answered as the slow way answers them */   \
   law(twins,     library)  /* 4, 5: moved, turned, mirrored, cut */                                 \
   law(past,      library)  /* 12, 7: what was undone, or refused, has left no trace */              \
   LGS_LAWS_OF_BYTES(law)                                                                            \

@@ -1,4 +1,4 @@
-// Law 6 of an engine that tells what changed: it tells nothing else. A segment that is removed and comes back as it was
+// Law 6 of an engine that reports what changed: it reports nothing else. A segment that is removed and comes back as it was
 // did not change, unless it belongs to another polygon now.
 #include "oracle/check/laws/list.h"
 #include "oracle/reference/vector.h"

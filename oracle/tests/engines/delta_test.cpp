@@ -77,12 +77,12 @@ TEST_F(Incremental, AGoodOneIsFine) {
 // The copy is compared: a change that is not told is an outline that differs.
 TEST_F(Incremental, ForgetsToTell) {
   expectFound("for x in range(-1, 3) for y in range(-1, 3)}", "for x in range(0, 2) for y in range(0, 2)}",
-              "wrong ghost", 2, "\nin this commit the engine told of ");
+              "wrong ghost", 2, "\nin this commit the engine reported ");
 }
 
 TEST_F(Incremental, UsesAnIdTwice) {
   expectFound("changes = list(update(cells, edited, told))", "changes = 2 * list(update(cells, edited, told))",
-              "': a line before this one has the same id", 1, "\nin this commit the engine told of 8 changes:\n  + ");
+              "': a line before this one has the same id", 1, "\nin this commit the engine reported 8 changes:\n  + ");
 }
 
 TEST_F(Incremental, RemovesWhatIsNotThere) {
@@ -91,7 +91,7 @@ TEST_F(Incremental, RemovesWhatIsNotThere) {
 
 TEST_F(Incremental, TellsOfWhatDidNotChange) {
   expectFound("if new == old:", "if new == old and not (new and edited):",
-              "the change list tells of what did not change:\nchanged, but is as it was: (", 2);
+              "the change list reports what did not change:\nchanged, but is as it was: (", 2);
 }
 
 TEST_F(Incremental, RemovesAndAddsWhatIsAsItWas) {
