@@ -80,15 +80,14 @@ int NewGround::becameSolid(Point p) const {
   return winding;
 }
 
-std::optional<Block> NewGround::solidAt(DoublePoint p) const {
+// What is not in memory has no block: it counts as ground for every body.
+bool NewGround::isSolid(const Form& form, DoublePoint p) const {
   const Spot spot = world_.at(rounded(p));
-  return spot.where == Spot::Where::outside ? std::nullopt : std::optional(spot.block);
+  if (spot.where == Spot::Where::unloaded) return true;
+  return spot.where != Spot::Where::outside && form.holds(spot.block);
 }
 
-bool NewGround::isFree(const Form& form) const {
-  const std::optional<Block> block = solidAt(form.middle);
-  return !block || !form.holds(*block);
-}
+bool NewGround::isFree(const Form& form) const { return !isSolid(form, form.middle); }
 
 // On an edge it is not told from the winding number on which side a point is. So the points around it are asked.
 bool NewGround::wasFree(const Form& form) const {

@@ -50,8 +50,8 @@ class NewGround {
   /// The outline now, and what was the outline before and is not any more: what lies in or near a box.
   void linesIn(const Box& box, std::vector<Piece>& now, std::vector<Piece>& before) const;
 
-  /// Whether a point is in the solid, by its block.
-  std::optional<Block> solidAt(DoublePoint p) const;
+  /// Whether a point is in ground that collides with a form.
+  bool isSolid(const Form& form, DoublePoint p) const;
 
  private:
   void add(std::vector<Piece>& list, const Piece& piece);

@@ -74,8 +74,7 @@ bool WayOut::isFree(DoublePoint by) {
   look(std::max(std::abs(by.x), std::abs(by.y)));
   for (const Form& form : forms_) {
     work_ += kWorkOfQuestion;
-    const std::optional<Block> block = ground_.solidAt(moved(form.middle, by));
-    if (block && form.holds(*block)) return false;
+    if (ground_.isSolid(form, moved(form.middle, by))) return false;
   }
   for (const Form& form : forms_) {
     const Box box = boxOf({&form, 1});

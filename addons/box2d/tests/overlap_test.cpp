@@ -192,6 +192,23 @@ TEST_F(Box2dOverlap, APlatformCatchesNobody) {
   EXPECT_TRUE(terrain.afterStep().empty());
 }
 
+// What is not in memory has no block, so the game is not asked about it.
+TEST_F(Box2dOverlap, WhatIsNotInMemoryIsNoPlatform) {
+  box2d::TerrainOptions options;
+  options.material = [](Block block) {
+    EXPECT_NE(block, 0U);
+    box2d::Material material;
+    material.isPassable = block == 0;
+    return material;
+  };
+  Terrain terrain(physics, field.world, options);
+  const Body body = addBody({0.5F, 0.5F}, Form::ball, 0);
+  ASSERT_TRUE(field.world.unload({{0, -32}, {31, 31}}, [](Cell, std::span<const std::byte>) {}));
+  ASSERT_TRUE(terrain.commit(field.world));
+  EXPECT_FALSE(fits(terrain, body));
+  EXPECT_EQ(terrain.disabled().size(), 1U);
+}
+
 // As when something heavy presses it through an edge.
 TEST_F(Box2dOverlap, AfterAStepWhoIsInTheGroundIsPutBack) {
   Terrain terrain(physics, field.world);

@@ -158,7 +158,8 @@ void TerrainBase::push(BodyHandle body, b2Vec2 way) {
 bool TerrainBase::isFree(ConstBodyHandle body, const Pose& at) {
   for (const auto shape : shapesToHold(body)) {
     const Spot spot = world_.at(frame_.latticePoint(placed(middleOf(shape), at)));
-    if (spot.where != Spot::Where::outside && holds(materials_.of(spot.block), filterOf(shape))) return false;
+    if (spot.where == Spot::Where::outside) continue;
+    if (spot.where == Spot::Where::unloaded || holds(materials_.of(spot.block), filterOf(shape))) return false;
   }
   return true;
 }
