@@ -7,6 +7,7 @@ import { colours } from '../../examples/digger.js'
 import { Cave } from './cave.js'
 import { Crystals, gold, type Hit, large, shine } from './crystals.js'
 import { element } from './dom.js'
+import { Sound } from './sound.js'
 import { Sparks } from './sparks.js'
 import { wantsCalm } from './theme.js'
 
@@ -24,6 +25,9 @@ export class Goal {
   readonly #strokes: () => number
   readonly #cave: Cave
   readonly #sparks = new Sparks()
+  readonly #sound = new Sound()
+  readonly #lead = element('dig-lead').querySelector('strong')!
+  readonly #task = this.#lead.textContent
   readonly #places = [...element('dig-places').children] as HTMLElement[]
   readonly #gold = element('dig-gold').previousElementSibling as HTMLElement
   #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
@@ -43,6 +47,8 @@ export class Goal {
       canvas.addEventListener(type, (event) => this.#beforeDig(event), { capture: true })
       canvas.addEventListener(type, () => this.#afterDig()) // digger.js has dug meanwhile
     }
+    const switches = element<HTMLInputElement>('dig-sound')
+    switches.addEventListener('change', () => { this.#sound.isOn = switches.checked })
     requestAnimationFrame((now) => this.#frame(now, now - 16))
   }
 
@@ -71,7 +77,9 @@ export class Goal {
     this.#dug = { at: [x, y], cells, gold: this.crystals.goldIn(cells) }
     for (let k = 0; k < 6; ++k) {
       const at = [x + 0.55 * Math.cos(k), y + 0.55 * Math.sin(k)] as const, spot = this.#ground.world.at(...at)
-      if (spot.where !== 'outside') this.#sparks.crumbs(at, 1, crumbColours[spot.block] ?? dustColour, 5)
+      if (spot.where === 'outside') continue
+      this.#sparks.crumbs(at, 1, crumbColours[spot.block] ?? dustColour, 5)
+      this.#sound.scrape()
     }
   }
 
@@ -93,6 +101,7 @@ export class Goal {
 
   #hit({ at, area, block, speed, isBroken }: Hit): void {
     const hard = Math.min(1, (speed * Math.sqrt(area)) / 50)
+    this.#sound.thud(hard)
     if (!wantsCalm()) this.#shake = Math.max(this.#shake, 7 * hard)
     const below: [number, number] = [at[0], at[1] - 0.45 * Math.sqrt(area)]
     this.#sparks.dust(below, 6 + Math.round(14 * hard), 3 + 9 * hard, dustColour)
@@ -102,6 +111,7 @@ export class Goal {
   }
 
   #arrive(block: number): void {
+    this.#sound.chime(block === gold ? this.crystals.count(gold) : this.#arrived)
     if (block === gold) this.#tell()
     if (block !== large || this.#arrived >= this.crystals.count(large)) return // or it was undone on its way
     const place = this.#places[this.#arrived % this.#places.length]
@@ -109,7 +119,9 @@ export class Goal {
     ++this.#arrived
     place.className = 'full'
     this.#tell()
-    if (this.#arrived % this.#places.length === 0) this.#feast = feast
+    if (this.#arrived % this.#places.length !== 0) return
+    this.#feast = feast
+    this.#lead.textContent = this.#arrived % (2 * this.#places.length) === 0 ? 'And it is night again.' : 'Daybreak!'
   }
 
   /** What time does to the shake, to a feast, and to what was undone. */
@@ -131,8 +143,11 @@ export class Goal {
     if (Math.ceil(this.#feast * 8) < before && !wantsCalm()) {
       const at: [number, number] = [cells.i0 + (cells.i1 - cells.i0) * Math.random(), 9 + 9 * Math.random()]
       this.#sparks.crumbs(at, 24, Object.values(shine)[before % 2], 9, 0.26)
+      this.#sound.chime(before)
     }
-    if (this.#feast <= 0) this.#empty()
+    if (this.#feast > 0) return
+    this.#lead.textContent = this.#task
+    this.#empty()
   }
 
   #empty(): void {
