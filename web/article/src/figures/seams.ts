@@ -12,8 +12,8 @@ const gravity = 1.62 // of the Moon
 const speed = 8.6 // cells a second
 const radius = 0.42
 const skin = 0.005 // metres: so far from an edge planck lets a ball rest. This one is made smaller by it
-const tiles = 13
-const from = 1, to = 12.5 // cells
+const tiles = innerWidth < 560 ? 9 : 13 // on a phone from nearer
+const from = 1, to = tiles - 0.5 // cells
 const jolt = 0.03 // metres a second: the floor is level, so who moves up by more was kicked
 const large = 0.15 // such a kick is shown slowly
 const step = 1 / 60
