@@ -60,7 +60,8 @@ export class Cave {
   /** Over what the picture has drawn. */
   draw(now: number): void {
     const k = Math.floor(this.light), t = this.light - k, from = moods[k % moods.length], to = moods[(k + 1) % moods.length]
-    const mood = { sky: mixed(from.sky, to.sky, t), low: mixed(from.low, to.low, t), hills: mixed(from.hills, to.hills, t), rim: mixed(from.rim, to.rim, t), dark: from.dark + (to.dark - from.dark) * t }
+    const between = (name: 'sky' | 'low' | 'hills' | 'rim') => mixed(from[name], to[name], t)
+    const mood = { sky: between('sky'), low: between('low'), hills: between('hills'), rim: between('rim'), dark: from.dark + (to.dark - from.dark) * t }
     const time = wantsCalm() ? 0 : now / 1000
     if (++this.#frames === 3) this.#tiles = makeTiles() // the first frame does not wait for them
     this.#colour(mood, time)

@@ -35,10 +35,6 @@ const areaOf = (v: ArrayLike<number>): number => {
 }
 
 export class Crystals {
-  /** How many of a block are won. */
-  count(block: number): number {
-    return this.#won.filter((each) => each.block === block).length + (block === gold ? Math.floor(this.#dust / nugget) : 0)
-  }
   readonly #ground: Ground
   /** Of each square: the edges that face up, and the middles of the pieces of crystals. */
   readonly #squares = new Map<string, { readonly rim: Path2D; readonly middles: readonly [number, number][] }>()
@@ -55,11 +51,17 @@ export class Crystals {
       const squares = draw()
       for (const { key, fills, lines } of squares) {
         if (lines.length === 0 && fills.length === 0) this.#squares.delete(key)
-        else this.#squares.set(key, { rim: rimOf(lines), middles: fills.filter(({ block }) => block === large).map(({ vertices: v }) => [(v[0] + v[4]) / 2, (v[1] + v[5]) / 2]) })
+        else this.#squares.set(key, { rim: rimOf(lines), middles: fills.filter(({ block }) => block === large).map(({ vertices }) => middleOf(vertices)) })
       }
       if (squares.length > 0) this.#cluster()
       return squares
     }
+  }
+
+  /** How many of a block are won. */
+  count(block: number): number {
+    const dug = block === gold ? this.#dug.reduce((sum, { area }) => sum + area, 0) : 0
+    return this.#won.filter((each) => each.block === block).length + Math.floor(dug / nugget)
   }
 
   /** All edges of the ground that face up. */
@@ -82,10 +84,6 @@ export class Crystals {
   /** So much gold was dug out by the last of so many strokes. */
   noteDug(area: number, strokes: number): void {
     if (area > 1e-9) this.#dug.push({ area, stroke: strokes })
-  }
-
-  get #dust(): number {
-    return this.#dug.reduce((sum, { area }) => sum + area, 0)
   }
 
   /** After each step of the ground. `strokes` there are now. */
@@ -132,6 +130,8 @@ export class Crystals {
     this.#middles = sums.map(([x, y, n]) => [x / n, y / n])
   }
 }
+
+const middleOf = (v: ArrayLike<number>): [number, number] => [(v[0] + v[4]) / 2, (v[1] + v[5]) / 2] // roughly
 
 // The solid is on the left of a line, so what faces up runs to the left.
 function rimOf(lines: readonly ArrayLike<number>[]): Path2D {

@@ -105,7 +105,7 @@ export class Goal {
     if (!wantsCalm()) this.#shake = Math.max(this.#shake, 7 * hard)
     const below: [number, number] = [at[0], at[1] - 0.45 * Math.sqrt(area)]
     this.#sparks.dust(below, 6 + Math.round(14 * hard), 3 + 9 * hard, dustColour)
-    this.#sparks.crumbs(below, Math.round(10 * hard), crumbColours[block] ?? dustColour, 7)
+    this.#sparks.crumbs(below, Math.round(24 * hard), crumbColours[block] ?? dustColour, 6 + 5 * hard, 0.2 + 0.16 * hard)
     if (!isBroken) return
     this.#win(at, block)
   }
@@ -134,7 +134,7 @@ export class Goal {
     if (this.#arrived > count) {
       this.#arrived = count
       const full = this.#arrived % this.#places.length
-      for (const [k, place] of this.#places.entries()) if (k >= full) place.className = ''
+      for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
       this.#tell()
     }
     if (this.#feast <= 0) return

@@ -124,6 +124,7 @@ test('a stem is cut, its cap falls and is ground again; a tap takes one dig back
 test('a crystal that is cut free breaks and is counted, its shards fly to its place, and it gets lighter; undo takes it back', () =>
   first(async (page) => {
     const whole = await area(page), full = () => page.locator('#dig-places .full').count()
+    await page.locator('#dig-sound').check() // nothing of it throws
     await cutAt(page, 9.4, 17.5)
     await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count(3) === 1)
     await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 1)
