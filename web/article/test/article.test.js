@@ -61,6 +61,10 @@ test('without ghosts the ball is thrown into the air, twice, and loses speed; wi
     assert.ok(kicks >= 3 && slow < 6.5, `${kicks} kicks, ${slow}`)
     const highest = await page.locator('#seams .way.rough').evaluate((way) => way.getBBox().height)
     assert.ok(highest > 0.3, `${highest} cells`)
+    await page.locator('#seams input').fill('3')
+    assert.match(await says(page, 'seams'), /^Without: 0 kicks, 3\.0 .* With: 0 kicks, 3\.0/)
+    await drag(page, 'seams', 12, 0)
+    assert.match(await says(page, 'seams'), /^Without: [1-9] kicks, 2\.\d .* With: 0 kicks, 3\.0/)
     assert.ok((await page.locator('#seams .way.smooth').evaluate((way) => way.getBBox().height)) < 0.02)
   }, 'article/'))
 

@@ -271,6 +271,7 @@ export abstract class GroundBase<Body> {
   forget(body: Body): void {
     const found = this.#find(body)
     this.#fallen = this.#fallen.filter((each) => each !== found)
+    this.#live.forget(body)
   }
   #find(body: Body): Fallen<Body> {
     const found = this.#inAir().find((each) => each.body === body)

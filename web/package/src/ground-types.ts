@@ -76,6 +76,8 @@ export interface Host<Body> {
   /** Puts it into the ground, as an edit, and its body goes. False, and nothing has changed, where it does not fit. */
   settle(body: Body, ground: GroundBody): boolean
   destroy(body: Body): void
+  /** The game's from now on. */
+  forget(body: Body): void
   /** These cells are in memory, and no others. */
   window(cells: CellRect): void
   step(dt: number): void

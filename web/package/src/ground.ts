@@ -44,6 +44,7 @@ class Values implements Host<Motion> {
     return true
   }
   destroy(): void {}
+  forget(): void {}
   window(): void {}
   step(): void {}
   free(): void {}

@@ -19,7 +19,8 @@ function pathOf(lines: Iterable<Ring>, isClosed: boolean): Path2D {
   return path
 }
 
-const isWhole = (v: Ring) => v.length === 8 && v[0]! * (v[3]! - v[7]!) + v[2]! * (v[5]! - v[1]!) + v[4]! * (v[7]! - v[3]!) + v[6]! * (v[1]! - v[5]!) === 2
+/** Twice the area, by its diagonals, is that of a cell. */
+const isWhole = (v: Ring) => v.length === 8 && Math.abs((v[4]! - v[0]!) * (v[7]! - v[3]!) - (v[6]! - v[2]!) * (v[5]! - v[1]!)) === 2
 
 /** Whole cells that lie beside each other as rectangles: there are far fewer lines to fill. */
 function joined(rings: readonly Ring[]): Ring[] {

@@ -71,8 +71,9 @@ class InPlanck implements Host<Body> {
   /** Who lies on another body alone would fall again. */
   rests(body: Body): boolean { return this.#falling.rests(body) }
   settle(body: Body): boolean { return this.#falling.settle(body) }
+  forget(body: Body): void { this.#falling.forget(body) }
   destroy(body: Body): void {
-    this.#falling.forget(body)
+    this.forget(body)
     if (this.#all().has(body)) this.#physics.destroyBody(body)
   }
 

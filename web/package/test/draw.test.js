@@ -1,8 +1,8 @@
 // The outline as polylines: after each commit the chunks that it returns are exactly those whose lines may differ.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
-import { circle, createWorld, init, unitSquare } from 'localgridseg'
-import { GroundMeshes, OutlineLines, linesIn, trianglesIn } from 'localgridseg/draw'
+import { circle, createWorld, Ground, init, unitSquare } from 'localgridseg/islands'
+import { GroundMeshes, GroundPicture, OutlineLines, linesIn, trianglesIn } from 'localgridseg/draw'
 
 before(() => init())
 
@@ -189,3 +189,28 @@ const areaOf = (picture) => sum(edgesOf(picture), cross)
 const areaOfSegments = (world) => sum(segmentsOf(world), cross)
 const lengthOf = (picture) => sum(edgesOf(picture), lengthOfEdge)
 const lengthOfSegments = (world) => sum(segmentsOf(world), lengthOfEdge)
+
+test('a GroundPicture fills whole cells as few rectangles, each block all of its area', () => {
+  const filled = new Map() // a style, and the rings that were filled with it
+  globalThis.Path2D = class {
+    rings = []
+    moveTo(x, y) { this.rings.push([x, y]) }
+    lineTo(x, y) { this.rings.at(-1).push(x, y) }
+    closePath() {}
+  }
+  const context = new Proxy({ fill(path) { filled.set(this.fillStyle, [...(filled.get(this.fillStyle) ?? []), ...path.rings]) } }, { get: (all, name) => all[name] ?? (() => {}) })
+  const canvas = { clientWidth: 100, clientHeight: 100, getContext: () => context }
+  const ground = new Ground(), pattern = {}
+  ground.edit((world) => {
+    const square = world.shape(unitSquare)
+    world.fill({ i0: 0, j0: 0, i1: 9, j1: 4 }, square, 1)
+    world.fill({ i0: 3, j0: 5, i1: 4, j1: 5 }, square, 2)
+    world.clear(7, 2)
+    world.addPolygon(7, 2, [0, 0, 1, 0, 0, 1], 1)
+  })
+  new GroundPicture(ground, canvas, { 1: pattern, 2: 'red' }).draw()
+  const area = (rings) => rings.reduce((sum, v) => sum + v.reduce((s, _, k) => (k % 2 ? s : s + (v[k] * v[(k + 3) % v.length] - v[k + 1] * v[(k + 2) % v.length]) / 2), 0), 0)
+  assert.deepEqual([...filled].map(([style, rings]) => [style, area(rings), rings.length]), [[pattern, 49.5, 5], ['red', 2, 1]])
+  ground.free()
+  delete globalThis.Path2D
+})

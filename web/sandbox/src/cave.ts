@@ -6,6 +6,12 @@ import { type Crystals, shine } from './crystals.js'
 import { wantsCalm } from './theme.js'
 
 type Colour = readonly [number, number, number]
+interface Tiles {
+  readonly soil: HTMLCanvasElement
+  readonly caps: HTMLCanvasElement
+  readonly gleams: readonly { readonly block: number; readonly tile: HTMLCanvasElement }[]
+  readonly halo: HTMLCanvasElement
+}
 interface Mood {
   readonly sky: Colour
   readonly low: Colour // of the sky
@@ -36,10 +42,8 @@ export class Cave {
   readonly #picture: GroundPicture
   readonly #crystals: Crystals
   readonly #colours: Record<number, Fill>
-  readonly #soil = soilTile()
-  readonly #caps = capTile()
-  readonly #gleams = Object.entries(shine).map(([block, colour]) => ({ block: Number(block), tile: gleamTile(colour) }))
-  readonly #halo = haloTile()
+  #tiles: Tiles | null = null
+  #frames = 0
   #seen = '' // of the sky
   #coloured = -1 // for which light
 
@@ -49,13 +53,17 @@ export class Cave {
     this.#picture = picture
     this.#crystals = crystals
     this.#colours = colours
+    const { dark } = moods[0]
+    Object.assign(colours, { 1: css(mixed(soil, shadow, dark)), 2: css(mixed(rock, shadow, dark)), 4: css(mixed(cap, shadow, 0.8 * dark)), ...shine })
   }
 
   /** Over what the picture has drawn. */
   draw(now: number): void {
     const k = Math.floor(this.light), t = this.light - k, from = moods[k % moods.length], to = moods[(k + 1) % moods.length]
-    const mood = { sky: mixed(from.sky, to.sky, t), low: mixed(from.low, to.low, t), hills: mixed(from.hills, to.hills, t), rim: mixed(from.rim, to.rim, t), dark: from.dark + (to.dark - from.dark) * t }
+    const between = (name: 'sky' | 'low' | 'hills' | 'rim') => mixed(from[name], to[name], t)
+    const mood = { sky: between('sky'), low: between('low'), hills: between('hills'), rim: between('rim'), dark: from.dark + (to.dark - from.dark) * t }
     const time = wantsCalm() ? 0 : now / 1000
+    if (++this.#frames === 3) this.#tiles = makeTiles() // the first frame does not wait for them
     this.#colour(mood, time)
     this.#drawSky(mood)
     const c = this.#canvas.getContext('2d')!, { width, height, clientWidth } = this.#canvas
@@ -78,25 +86,26 @@ export class Cave {
     const radius = 3.3 + 0.25 * Math.sin(2 * time)
     c.globalCompositeOperation = 'lighter'
     c.globalAlpha = 0.25 + 0.6 * mood.dark
-    for (const [hx, hy] of this.#crystals.glowing)
-      if (hx > x - radius && hx < x + wide + radius) c.drawImage(this.#halo, hx - radius, hy - radius, 2 * radius, 2 * radius)
+    if (this.#tiles !== null) for (const [hx, hy] of this.#crystals.glowing)
+      if (hx > x - radius && hx < x + wide + radius) c.drawImage(this.#tiles.halo, hx - radius, hy - radius, 2 * radius, 2 * radius)
     c.restore()
   }
 
   // For the next picture.
   #colour({ dark }: Mood, time: number): void {
-    const c = this.#canvas.getContext('2d')!
+    const c = this.#canvas.getContext('2d')!, tiles = this.#tiles
+    if (tiles === null) return
     const pattern = (tile: HTMLCanvasElement, scale: number, shift = 0) => {
       const made = c.createPattern(tile, 'repeat')!
       made.setTransform(new DOMMatrix([1 / scale, 0, 0, -1 / scale, shift, 0]))
       return made
     }
-    for (const { block, tile } of this.#gleams) this.#colours[block] = pattern(tile, 12, 3 * time)
+    for (const { block, tile } of tiles.gleams) this.#colours[block] = pattern(tile, 12, 3 * time)
     if (Math.abs(this.#coloured - this.light) < fine) return
     this.#coloured = this.light
-    this.#colours[1] = pattern(darkened(this.#soil, dark), pixels)
+    this.#colours[1] = pattern(darkened(tiles.soil, dark), pixels)
     this.#colours[2] = css(mixed(rock, shadow, dark))
-    this.#colours[4] = pattern(darkened(this.#caps, 0.8 * dark), pixels)
+    this.#colours[4] = pattern(darkened(tiles.caps, 0.8 * dark), pixels)
   }
 
   // Only when one has walked, or the light has changed. It is not sharp: half the pixels do.
@@ -132,6 +141,11 @@ function tile(width: number, height: number, draw: (c: CanvasRenderingContext2D)
   Object.assign(canvas, { width, height })
   draw(canvas.getContext('2d')!)
   return canvas
+}
+
+function makeTiles(): Tiles {
+  const gleams = Object.entries(shine).map(([block, colour]) => ({ block: Number(block), tile: gleamTile(colour) }))
+  return { soil: soilTile(), caps: capTile(), halo: haloTile(), gleams }
 }
 
 function darkened(from: HTMLCanvasElement, dark: number): HTMLCanvasElement {

@@ -1,11 +1,13 @@
-// The crystals of the digger's land: where they hang, and which of them broke free. What breaks is counted, and an undo
-// that brings it back takes it from the count.
-import type { GroundBody } from 'localgridseg/islands'
+// The crystals of the digger's land, and its gold: where they are, and what was won. A crystal is won when it was cut free
+// and breaks, gold when it is dug out, too. An undo that brings them back takes them from the count.
+import type { CellRect, GroundBody } from 'localgridseg/islands'
 import type { Ground } from 'localgridseg/planck'
 
 /** Of the blocks that count. */
 export const shine: Readonly<Record<number, string>> = { 3: '#6df0e0', 5: '#ffd166' }
-const large = 3 // this block's hang from stems, and glow
+export const large = 3 // this block's hang from stems, and glow
+export const gold = 5
+const nugget = 0.5 // square cells of gold that are dug for each that is counted
 const least = 0.15 // square cells: less is only a crumb
 const share = 0.3 // of a rock's area: a boulder with a gem in it stays one
 
@@ -33,15 +35,12 @@ const areaOf = (v: ArrayLike<number>): number => {
 }
 
 export class Crystals {
-  /** How many broke free. */
-  get count(): number {
-    return this.#broken.length
-  }
   readonly #ground: Ground
   /** Of each square: the edges that face up, and the middles of the pieces of crystals. */
   readonly #squares = new Map<string, { readonly rim: Path2D; readonly middles: readonly [number, number][] }>()
   readonly #known = new WeakMap<GroundBody, Known>()
-  #broken: number[] = [] // after which stroke each came loose
+  #won: { readonly block: number; readonly stroke: number }[] = [] // after which stroke it came loose
+  #dug: { readonly area: number; readonly stroke: number }[] = [] // of gold
   #middles: [number, number][] = []
 
   /** What the picture draws is seen by this, too. */
@@ -52,11 +51,17 @@ export class Crystals {
       const squares = draw()
       for (const { key, fills, lines } of squares) {
         if (lines.length === 0 && fills.length === 0) this.#squares.delete(key)
-        else this.#squares.set(key, { rim: rimOf(lines), middles: fills.filter(({ block }) => block === large).map(({ vertices: v }) => [(v[0] + v[4]) / 2, (v[1] + v[5]) / 2]) })
+        else this.#squares.set(key, { rim: rimOf(lines), middles: fills.filter(({ block }) => block === large).map(({ vertices }) => middleOf(vertices)) })
       }
       if (squares.length > 0) this.#cluster()
       return squares
     }
+  }
+
+  /** How many of a block are won. */
+  count(block: number): number {
+    const dug = block === gold ? this.#dug.reduce((sum, { area }) => sum + area, 0) : 0
+    return this.#won.filter((each) => each.block === block).length + Math.floor(dug / nugget)
   }
 
   /** All edges of the ground that face up. */
@@ -70,9 +75,21 @@ export class Crystals {
     return [...this.#middles, ...falling.map(({ ground: { mass }, x, y, angle }) => placed(mass.x, mass.y, x, y, angle))]
   }
 
+  /** How much gold there is in these cells, and in rocks. */
+  goldIn(cells: CellRect): number {
+    const all = [...this.#ground.world.polygons(cells), ...this.#ground.rocks().flatMap(({ ground }) => ground.polygons)]
+    return all.reduce((sum, { block, vertices }) => (block === gold ? sum + areaOf(vertices) : sum), 0)
+  }
+
+  /** So much gold was dug out by the last of so many strokes. */
+  noteDug(area: number, strokes: number): void {
+    if (area > 1e-9) this.#dug.push({ area, stroke: strokes })
+  }
+
   /** After each step of the ground. `strokes` there are now. */
   step(time: number, strokes: number, gravity: number): Hit[] {
-    this.#broken = this.#broken.filter((stroke) => stroke <= strokes)
+    this.#won = this.#won.filter(({ stroke }) => stroke <= strokes)
+    this.#dug = this.#dug.filter(({ stroke }) => stroke <= strokes)
     const hits: Hit[] = []
     for (const rock of this.#ground.rocks()) {
       const { ground, body, x, y, angle, vx, vy } = rock
@@ -87,7 +104,7 @@ export class Crystals {
       const { x: cx, y: cy, area } = ground.mass
       hits.push({ at: placed(cx, cy, x, y, angle), area, block: known.crystal || ground.polygons[0].block, speed, isBroken })
       if (!isBroken) continue
-      this.#broken.push(known.stroke)
+      this.#won.push({ block: known.crystal, stroke: known.stroke })
       this.#ground.forget(body)
       body.getWorld().destroyBody(body)
     }
@@ -113,6 +130,8 @@ export class Crystals {
     this.#middles = sums.map(([x, y, n]) => [x / n, y / n])
   }
 }
+
+const middleOf = (v: ArrayLike<number>): [number, number] => [(v[0] + v[4]) / 2, (v[1] + v[5]) / 2] // roughly
 
 // The solid is on the left of a line, so what faces up runs to the left.
 function rimOf(lines: readonly ArrayLike<number>[]): Path2D {

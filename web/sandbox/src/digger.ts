@@ -12,7 +12,7 @@ import { wantsCalm } from './theme.js'
 
 const before = 900 // milliseconds until the hand digs
 const cut = 500 // that it takes for a stem
-const pause = 2200 // between two stems
+const pause = 1700 // between two stems
 const shown = 2 // things that it cuts; then it asks who looks on to cut the next
 const wait = 1500 // between two races
 

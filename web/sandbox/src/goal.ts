@@ -1,11 +1,13 @@
-// What there is to win in the digger: crystals. Cut free they fall, break and fly to their places, and it gets lighter;
-// undo takes them back. Whatever falls throws dust, and shakes the picture if it is heavy.
+// What there is to win in the digger. Crystals that are cut free fall, break and fly to their places, and it gets lighter;
+// gold that is dug out is counted beside; undo takes both back. Whatever falls throws dust, and shakes the picture.
 import type { GroundPicture } from 'localgridseg/draw'
+import type { CellRect } from 'localgridseg/islands'
 import type { Ground } from 'localgridseg/planck'
 import { colours } from '../../examples/digger.js'
 import { Cave } from './cave.js'
-import { Crystals, type Hit, shine } from './crystals.js'
+import { Crystals, gold, type Hit, large, shine } from './crystals.js'
 import { element } from './dom.js'
+import { Sound } from './sound.js'
 import { Sparks } from './sparks.js'
 import { wantsCalm } from './theme.js'
 
@@ -23,8 +25,13 @@ export class Goal {
   readonly #strokes: () => number
   readonly #cave: Cave
   readonly #sparks = new Sparks()
+  readonly #sound = new Sound()
+  readonly #lead = element('dig-lead').querySelector('strong')!
+  readonly #task = this.#lead.textContent
   readonly #places = [...element('dig-places').children] as HTMLElement[]
-  readonly #total = element('dig-total')
+  readonly #gold = element('dig-gold').previousElementSibling as HTMLElement
+  #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
+  #told = 0 // of gold
   #arrived = 0 // crystals that are in their places
   #feast = 0 // seconds that are left of it
   #shake = 0 // pixels
@@ -36,8 +43,12 @@ export class Goal {
     this.#strokes = strokes
     this.crystals = new Crystals(ground)
     this.#cave = new Cave(canvas, element<HTMLCanvasElement>('dig-sky'), picture, this.crystals, colours)
-    for (const type of ['pointerdown', 'pointermove'] as const)
-      canvas.addEventListener(type, (event) => { if (event.buttons !== 0) this.#dig(picture.at(event)) }, { capture: true })
+    for (const type of ['pointerdown', 'pointermove'] as const) {
+      canvas.addEventListener(type, (event) => this.#beforeDig(event), { capture: true })
+      canvas.addEventListener(type, () => this.#afterDig()) // digger.js has dug meanwhile
+    }
+    const switches = element<HTMLInputElement>('dig-sound')
+    switches.addEventListener('change', () => { this.#sound.isOn = switches.checked })
     requestAnimationFrame((now) => this.#frame(now, now - 16))
   }
 
@@ -58,36 +69,59 @@ export class Goal {
     requestAnimationFrame((next) => this.#frame(next, now))
   }
 
-  /** Before the ground is dug: crumbs of what is there. */
-  #dig([x, y]: [number, number]): void {
+  /** Crumbs of what is there now. */
+  #beforeDig(event: PointerEvent): void {
+    if (event.buttons === 0) return
+    const [x, y] = this.#picture.at(event), [fx, fy] = event.type === 'pointermove' && this.#dug !== null ? this.#dug.at : [x, y]
+    const cells = { i0: Math.floor(Math.min(x, fx) - 1), j0: Math.floor(Math.min(y, fy) - 1), i1: Math.floor(Math.max(x, fx) + 1), j1: Math.floor(Math.max(y, fy) + 1) }
+    this.#dug = { at: [x, y], cells, gold: this.crystals.goldIn(cells) }
     for (let k = 0; k < 6; ++k) {
       const at = [x + 0.55 * Math.cos(k), y + 0.55 * Math.sin(k)] as const, spot = this.#ground.world.at(...at)
-      if (spot.where !== 'outside') this.#sparks.crumbs(at, 1, crumbColours[spot.block] ?? dustColour, 5)
+      if (spot.where === 'outside') continue
+      this.#sparks.crumbs(at, 1, crumbColours[spot.block] ?? dustColour, 5)
+      this.#sound.scrape()
     }
+  }
+
+  #afterDig(): void {
+    if (this.#dug === null) return
+    const { at, cells, gold: before } = this.#dug, count = this.crystals.count(gold)
+    this.crystals.noteDug(before - this.crystals.goldIn(cells), this.#strokes())
+    this.#dug.gold = 0
+    for (let k = count; k < this.crystals.count(gold); ++k) this.#win(at, gold)
+  }
+
+  #win(at: readonly [number, number], block: number): void {
+    this.#sparks.crumbs(at, block === large ? 26 : 10, shine[block], block === large ? 11 : 8, 0.3)
+    const nth = this.crystals.count(large) - 1
+    const to = () => this.#inCells(block === large ? this.#places[nth % this.#places.length] : this.#gold)
+    for (let k = 0; k < (block === large ? shards : 2); ++k)
+      this.#sparks.fly([at[0], at[1]], to, shine[block], 0.75 + 0.06 * k, () => { if (k === 0) this.#arrive(block) })
   }
 
   #hit({ at, area, block, speed, isBroken }: Hit): void {
     const hard = Math.min(1, (speed * Math.sqrt(area)) / 50)
+    this.#sound.thud(hard)
     if (!wantsCalm()) this.#shake = Math.max(this.#shake, 7 * hard)
     const below: [number, number] = [at[0], at[1] - 0.45 * Math.sqrt(area)]
     this.#sparks.dust(below, 6 + Math.round(14 * hard), 3 + 9 * hard, dustColour)
-    this.#sparks.crumbs(below, Math.round(10 * hard), crumbColours[block] ?? dustColour, 7)
+    this.#sparks.crumbs(below, Math.round(24 * hard), crumbColours[block] ?? dustColour, 6 + 5 * hard, 0.2 + 0.16 * hard)
     if (!isBroken) return
-    this.#sparks.crumbs(at, 26, shine[block], 11, 0.3)
-    // The place is the next one that is free when it arrives.
-    const nth = this.crystals.count - 1, to = () => this.#inCells(this.#places[nth % this.#places.length])
-    for (let k = 0; k < shards; ++k) this.#sparks.fly(at, to, shine[block], 0.75 + 0.06 * k, () => { if (k === 0) this.#arrive(block) })
+    this.#win(at, block)
   }
 
   #arrive(block: number): void {
-    if (this.#arrived >= this.crystals.count) return // it was undone on its way
+    this.#sound.chime(block === gold ? this.crystals.count(gold) : this.#arrived)
+    if (block === gold) this.#tell()
+    if (block !== large || this.#arrived >= this.crystals.count(large)) return // or it was undone on its way
     const place = this.#places[this.#arrived % this.#places.length]
     if (this.#arrived % this.#places.length === 0) this.#empty()
     ++this.#arrived
-    place.style.setProperty('--shine', shine[block])
     place.className = 'full'
     this.#tell()
-    if (this.#arrived % this.#places.length === 0) this.#feast = feast
+    if (this.#arrived % this.#places.length !== 0) return
+    this.#feast = feast
+    this.#lead.textContent = this.#arrived % (2 * this.#places.length) === 0 ? 'And it is night again.' : 'Daybreak!'
   }
 
   /** What time does to the shake, to a feast, and to what was undone. */
@@ -95,10 +129,12 @@ export class Goal {
     this.#shake *= Math.exp(-9 * time)
     const shift = () => (this.#shake < 0.3 ? 0 : this.#shake * (2 * Math.random() - 1))
     this.#canvas.style.translate = `${shift()}px ${shift()}px`
-    if (this.#arrived > this.crystals.count) {
-      this.#arrived = this.crystals.count
+    if (this.crystals.count(gold) < this.#told) this.#tell()
+    const count = this.crystals.count(large)
+    if (this.#arrived > count) {
+      this.#arrived = count
       const full = this.#arrived % this.#places.length
-      for (const [k, place] of this.#places.entries()) if (k >= full) place.className = ''
+      for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
       this.#tell()
     }
     if (this.#feast <= 0) return
@@ -107,8 +143,11 @@ export class Goal {
     if (Math.ceil(this.#feast * 8) < before && !wantsCalm()) {
       const at: [number, number] = [cells.i0 + (cells.i1 - cells.i0) * Math.random(), 9 + 9 * Math.random()]
       this.#sparks.crumbs(at, 24, Object.values(shine)[before % 2], 9, 0.26)
+      this.#sound.chime(before)
     }
-    if (this.#feast <= 0) this.#empty()
+    if (this.#feast > 0) return
+    this.#lead.textContent = this.#task
+    this.#empty()
   }
 
   #empty(): void {
@@ -116,8 +155,10 @@ export class Goal {
   }
 
   #tell(): void {
-    this.#total.textContent = this.#arrived < this.#places.length ? '' : String(this.#arrived)
-    element('dig-goal').ariaLabel = `${this.#arrived} crystal${this.#arrived === 1 ? '' : 's'} free`
+    this.#told = this.crystals.count(gold)
+    this.#gold.className = this.#told > 0 ? 'full' : ''
+    element('dig-gold').textContent = this.#told > 0 ? String(this.#told) : ''
+    element('dig-goal').ariaLabel = `${this.#arrived} crystal${this.#arrived === 1 ? '' : 's'} free, ${this.#told} gold`
   }
 
   #inCells(place: HTMLElement): [number, number] {

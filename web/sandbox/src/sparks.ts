@@ -33,15 +33,12 @@ export class Sparks {
   readonly #sparks: Spark[] = []
   #flights: Flight[] = []
 
-  get isEmpty(): boolean {
-    return this.#sparks.length === 0 && this.#flights.length === 0
-  }
-
   /** Crumbs to all sides, and a little up. */
   crumbs([x, y]: Point, count: number, colour: string, speed: number, size = 0.22): void {
     for (let k = 0; k < count; ++k) {
       const way = 2 * Math.PI * Math.random(), fast = speed * (0.3 + 0.7 * Math.random())
-      this.#add({ x, y, vx: fast * Math.cos(way), vy: fast * Math.sin(way) + 0.4 * speed, colour, isDust: false, size: size * (0.5 + Math.random()), life: 0.5 + 0.5 * Math.random() })
+      const motion = { x, y, vx: fast * Math.cos(way), vy: fast * Math.sin(way) + 0.4 * speed }
+      this.#add({ ...motion, colour, isDust: false, size: size * (0.5 + Math.random()), life: 0.5 + 0.5 * Math.random() })
     }
   }
 
@@ -49,7 +46,8 @@ export class Sparks {
   dust([x, y]: Point, count: number, speed: number, colour: string): void {
     for (let k = 0; k < count; ++k) {
       const way = k % 2 === 0 ? 1 : -1
-      this.#add({ x, y, vx: way * speed * Math.random(), vy: 0.25 * speed * Math.random(), colour, isDust: true, size: 0.3 + 0.5 * Math.random(), life: 0.5 + 0.6 * Math.random() })
+      const motion = { x, y, vx: way * speed * Math.random(), vy: 0.25 * speed * Math.random() }
+      this.#add({ ...motion, colour, isDust: true, size: 0.3 + 0.5 * Math.random(), life: 0.5 + 0.6 * Math.random() })
     }
   }
 

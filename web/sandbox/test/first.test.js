@@ -124,16 +124,22 @@ test('a stem is cut, its cap falls and is ground again; a tap takes one dig back
 test('a crystal that is cut free breaks and is counted, its shards fly to its place, and it gets lighter; undo takes it back', () =>
   first(async (page) => {
     const whole = await area(page), full = () => page.locator('#dig-places .full').count()
+    await page.locator('#dig-sound').check() // nothing of it throws
     await cutAt(page, 9.4, 17.5)
-    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count === 1)
+    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count(3) === 1)
     await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 1)
     assert.equal(await rocks(page), 0)
     assert.match(await page.locator('#dig-goal').getAttribute('aria-label'), /^1 crystal/)
     await page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
-    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count === 0)
+    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count(3) === 0)
     await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 0)
     assert.equal(await full(), 0)
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6)
+    await cutAt(page, 7.2, 22.9) // through gold
+    await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '1')
+    await page.keyboard.down('z')
+    await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '')
+    await page.keyboard.up('z')
   }, calm))
 
 test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z undoes', () =>

@@ -9,11 +9,11 @@ import { arrow, disc, path, type Point, rect, words } from '../svg.js'
 
 const cell = 0.2 // metres
 const gravity = 1.62 // of the Moon
-const speed = 8.6 // cells a second
+const first = 8.6 // cells a second
 const radius = 0.42
 const skin = 0.005 // metres: so far from an edge planck lets a ball rest. This one is made smaller by it
-const tiles = 13
-const from = 1, to = 12.5 // cells
+const tiles = innerWidth < 560 ? 9 : 13 // on a phone from nearer
+const from = 1, to = tiles - 0.5 // cells
 const jolt = 0.03 // metres a second: the floor is level, so who moves up by more was kicked
 const large = 0.15 // such a kick is shown slowly
 const step = 1 / 60
@@ -34,7 +34,7 @@ interface Roll {
   readonly kicks: readonly Kick[]
 }
 
-function roll(ghosts: boolean): Roll {
+function roll(speed: number, ghosts: boolean): Roll {
   const world = createWorld()
   world.fill({ i0: -1, j0: 0, i1: tiles, j1: 0 }, world.shape(square), 1)
   world.commit()
@@ -58,9 +58,8 @@ function roll(ghosts: boolean): Roll {
 
 export default function seams(element: HTMLElement): void {
   const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: 5.2 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
-  const rolls = [roll(false), roll(true)]
-  const [rough, smooth] = rolls, first = rough.kicks[0].time
-  const end = (rough.points.length - 1) * step
+  let rough = roll(first, false), smooth = roll(first, true)
+  const end = () => (rough.points.length - 1) * step
   const at = ({ points }: Roll, t: number): Point => {
     const k = Math.min(points.length - 2, Math.floor(t / step)), part = Math.min(1, t / step - k), [a, b] = [points[k], points[k + 1]]
     return [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
@@ -79,21 +78,28 @@ export default function seams(element: HTMLElement): void {
       stop()
       const k = rough.points.findIndex(([px]) => px >= x)
       const n = k < 0 ? rough.points.length - 1 : Math.max(1, k), [a, b] = [rough.points[n - 1][0], rough.points[n][0]]
-      time = clamp((n - 1 + (x - a) / (b - a)) * step, 0, end)
+      time = clamp((n - 1 + (x - a) / (b - a)) * step, 0, end())
       return ofHandle()
     },
   })
   const stop = fig.runs(() => {
-    if (time >= end && ++waits < pause) return
+    if (time >= end() && ++waits < pause) return
     if (waits >= pause) time = waits = 0
     const isNear = rough.kicks.some((kick) => kick.change[1] > large && Math.abs(time - kick.time) < around)
-    time = Math.min(end, time + step * (isNear ? slow : pace))
+    time = Math.min(end(), time + step * (isNear ? slow : pace))
     handle.at = ofHandle()
   })
-  if (matchMedia('(prefers-reduced-motion: reduce)').matches) time = first + 0.7 * around
+  fig.slider('Speed', 3, 9.4, 0.2, first, (speed) => {
+    rough = roll(speed, false)
+    smooth = roll(speed, true)
+    time = waits = 0
+    handle.at = ofHandle()
+    fig.redraw()
+  })
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) time = rough.kicks[0].time + 0.7 * around
   handle.at = ofHandle()
   fig.draws(() => {
-    const parts: SVGElement[] = [], pixel = fig.pixel
+    const parts: SVGElement[] = [], pixel = fig.pixel, rolls = [rough, smooth]
     const place = rolls.map((each, n): Point => [at(each, time)[0], at(each, time)[1] + floors[n]])
     rolls.forEach((each, n) => {
       const kind = n === 0 ? 'rough' : 'smooth', [x, y] = place[n], floor = floors[n]

@@ -68,7 +68,7 @@ const ofType = {
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   ImportOptions: [{}, { tolerance: 1e308 }, { tolerance: -1 }, { solid: true }, { polylineThickness: 0 }, { tiles: '[]' }, { tiles: '{' }, { numbers: { a: 2 ** 32 } }, { nothing: 1 }, { layers: ['*', '['] }],
   '{ draw(): GroundDrawing[]; rocks(): readonly Rock<unknown>[] }': [{ draw: () => [], rocks: () => [] }, {}],
-  'Readonly<Record<number, string>>': [{ 1: 'red' }, {}],
+  'Readonly<Record<number, Fill>>': [{ 1: 'red' }, {}],
   'readonly [number, number, number, number, number, number]': [[1, 0, 0, 1, 0, 0]],
   HTMLCanvasElement: [{ getContext: () => new Proxy({}, { get: () => () => {}, set: () => true }), clientWidth: 20, clientHeight: 9 }],
   'Int32Array': ({ square: shape }) => rowsOf(shape),

@@ -54,7 +54,7 @@ function unitOf({ width }: Place, { cells }: Part): number {
 function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: Place, part = whole): void {
   const colours = theme()
   const unit = unitOf(place, part)
-  const text = Math.max(12, Math.min(16, place.height / 5.5))
+  const text = Math.max(12, Math.min(16, place.height / 5.5, place.width / 26))
   const thick = Math.max(6, text * 0.6)
   const line = place.y + place.height - text - 5 // what is written, below the floor
   const floor = line - thick - 4
