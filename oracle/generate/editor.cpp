@@ -193,9 +193,11 @@ void Editor::tryRefused(Cell cell) {
     const std::size_t k = random_.below(polygon.size()), next = (k + 1) % polygon.size();
     const LocalPoint a = polygon[k], b = polygon[next];
     polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(next + 1), {(a.x + b.x) / 2, (a.y + b.y) / 2});
-  } else if (kind == 11) {  // any ring at all
-    polygon.clear();
-    for (int k = 4 + random_.below(9); k > 0; --k) polygon.push_back(randomPoint());
+  } else if (kind == 11) {  // any ring at all, or one that is good but for a corner
+    const bool isNearlyGood = random_.chance(50);
+    polygon = isNearlyGood ? randomRange() : LocalPolygon();
+    for (int k = isNearlyGood ? 0 : 4 + random_.below(9); k > 0; --k) polygon.push_back(randomPoint());
+    if (isNearlyGood) polygon[random_.below(polygon.size())] = randomPoint();
   } else if (isSpoilt) {
     polygon = spoilt(random_, std::move(polygon));
   }

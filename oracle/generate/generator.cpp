@@ -135,7 +135,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.hostilePercent = habits.any > 0 && random.chance(40) ? 10 : 0;
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
     habits.memory = random.chance(isAtCorner ? 60 : 20) && !options.inMemory ? 1 + random.below(5) : 0;
-    habits.stroke = options.brushes ? 10 : 0;
+    habits.stroke = !options.brushes ? 0 : random.chance(50) ? 10 : 50;
     if (mostly == time || isOfMemory) habits.travel = isOfMemory ? 10 : 40;
     if (isOfMemory) habits.memory = 25;
     if (mostly == refusal) habits.refused = 12;

@@ -64,6 +64,11 @@ class ViewsLaw : public Law {
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
   }
 
+  Found atEnd(Seen& seen) override {
+    auto wrong = views_ ? faultOfRounds(views_->hashes) : std::nullopt;
+    return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
+  }
+
  private:
   using Wrong = std::optional<std::string>;
   static Wrong said(std::string wrong) { return wrong.empty() ? Wrong() : Wrong(std::move(wrong)); }
