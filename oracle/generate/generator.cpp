@@ -107,7 +107,8 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   // Some cases do little else than move in time, or in memory, or are refused.
   enum { time, memory, memoryToo, refusal };
   const int mostly = options.isOfCalls ? random.below(10) : -1;
-  const bool isOfMemory = !options.inMemory && (mostly == memory || mostly == memoryToo);
+  const bool isOfMemory =
+      !options.inMemory && (mostly == memory || mostly == memoryToo || (options.streams && random.chance(70)));
   const bool isAtCorner = options.isOfCalls && (isOfMemory || random.chance(40));
   if (isAtCorner)  // of four chunks, which may leave memory
     origin = {32 * (random.below(5) - 2) - width / 2, 32 * (random.below(5) - 2) - height / 2};

@@ -2,11 +2,13 @@
 // the cycles of mutual links. What has no direction, leads nowhere or is too long is refused.
 #include "oracle/calls/random.h"
 #include "oracle/check/laws/list.h"
+#include "oracle/reference/canonical.h"
 #include "oracle/reference/vector.h"
 
 #include <lgs/radial_match.h>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,9 +101,36 @@ std::string wrongRefusalOfEdges(AnyEdges any, Random& random) {
              : "radialMatch() does not refuse a bad edge, or blames another one";
 }
 
+// The edges of an outline lie in loops, and these are the engine's.
+std::string wrongOutline(const World& world, const Outline& outline) {
+  AnyEdges any;
+  std::map<Point, std::uint32_t> numbers;
+  const auto numberOf = [&](Point p) {
+    const auto [at, isNew] = numbers.try_emplace(p, static_cast<std::uint32_t>(any.points.size()));
+    if (isNew) any.points.push_back(p);
+    return at->second;
+  };
+  for (const OutlineSegment& s : outline) {
+    const std::uint32_t from = numberOf(s.start);
+    any.edges.push_back({from, numberOf(s.end)});
+  }
+  const auto links = radialMatch(any.points, any.edges);
+  if (!links) return "radialMatch() refuses the edges of an outline";
+  Loops own, loops;
+  for (const auto& loop : loopsOf(*links)) {
+    own.emplace_back();
+    for (const std::uint32_t e : loop) own.back().push_back(any.points[any.edges[e].from]);
+  }
+  for (Loop& loop : world.loops(Collinear::merge)) loops.push_back(std::move(loop.vertices));
+  return canonical(std::move(own)) == canonical(std::move(loops)) ? "" : "radialMatch() links outlines to other loops";
+}
+
 class EdgesLaw : public Law {
  public:
   Found atEnd(Seen& seen) override {
+    if (seen.trace.preserve.empty() && seen.model().isWhole())
+      if (std::string wrong = wrongOutline(seen.world(), seen.shown()); !wrong.empty())
+        return seen.mismatch(Mismatch::Kind::loops, std::move(wrong));
     constexpr int kTries = 12;
     Random random(seen.edits);
     for (int k = 0; k < kTries; ++k) {
