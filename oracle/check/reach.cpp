@@ -4,10 +4,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
 
 namespace lgs::oracle {
 namespace {
@@ -89,58 +85,6 @@ bool hasOtherHandle(const ScenePolygon& now, const Brushed& done) {
   });
 }
 
-// Whether polygons cover the same area as others: the edges of the ones, and those of the others the other way around,
-// take each other away where all are cut at all vertices.
-bool isSameArea(const std::vector<ScenePolygon>& was, const std::vector<ScenePolygon>& now) {
-  std::set<Point> vertices;
-  for (const auto* const polygons : {&was, &now})
-    for (const ScenePolygon& polygon : *polygons)
-      for (const Point p : outlineOf(polygon)) vertices.insert(p);
-  std::map<std::pair<Point, Point>, int> left;
-  for (const auto* const polygons : {&was, &now}) {
-    for (const ScenePolygon& polygon : *polygons) {
-      const Ring ring = outlineOf(polygon);
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Point a = ring[k], b = after(ring, k);
-        const Point* last = nullptr;
-        for (const Point& v : vertices) {
-          if (!isOnSegment(v, a, b)) continue;
-          if (last != nullptr) left[{*last, v}] += (polygons == &was) == (a < b) ? 1 : -1;
-          last = &v;
-        }
-      }
-    }
-  }
-  return std::ranges::all_of(left, [](const auto& entry) { return entry.second == 0; });
-}
-
-// An area of one block that comes out as it was, with all that has become of its polygons. (Where a brush takes over what
-// is there, that is new.)
-std::string remadeArea(const Brushed& done) {
-  std::map<std::string, ScenePolygon> comes;
-  for (const Call& part : done.edits)
-    if (part.kind == Call::Kind::add) comes[part.name()] = part.polygon();
-  std::set<std::string> seen;
-  for (const auto& entry : done.became) {
-    std::set<std::string> olds{entry.first}, news;
-    for (std::size_t before = 0; before != olds.size() + news.size();) {
-      before = olds.size() + news.size();
-      for (const auto& [old, now] : done.became)
-        if (olds.contains(old) || news.contains(now)) olds.insert(old), news.insert(now);
-    }
-    if (!seen.insert(*olds.begin()).second) continue;
-    std::vector<ScenePolygon> was, now;
-    for (const std::string& name : olds) was.push_back(done.removed.at(name));
-    for (const std::string& name : news)
-      if (comes.contains(name)) now.push_back(comes[name]);
-    const auto isOfBlock = [&](const ScenePolygon& polygon) { return polygon.block == was[0].block; };
-    if (now.size() == news.size() && std::ranges::all_of(was, isOfBlock) && std::ranges::all_of(now, isOfBlock) &&
-        isSameArea(was, now))
-      return fmt::format("'{}' is of an area that is as it was, and has another handle", *olds.begin());
-  }
-  return "";
-}
-
 }  // namespace
 
 bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
@@ -174,7 +118,7 @@ std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
     const bool stays = std::ranges::find(brush.staying, polygon.block) != brush.staying.end();
     if (!stays && covers(brush, polygon)) return fmt::format("'{}' is said to be bent alone, but is reached", name);
   }
-  return brush.deed == BrushEdit::Deed::replace ? "" : remadeArea(done);
+  return "";
 }
 
 }  // namespace lgs::oracle
