@@ -38,8 +38,12 @@ class Check {
  private:
   template <class Ask>
   Found ask(Ask&& ask) {
-    for (const auto& law : laws_)
-      if (auto found = ask(*law); found && !takesAdvice(*found)) return found;
+    for (const auto& law : laws_) {
+      auto found = ask(*law);
+      if (!found || takesAdvice(*found)) continue;
+      found->law = law->number;
+      return found;
+    }
     return std::nullopt;
   }
 

@@ -48,6 +48,9 @@ struct CheckOptions {
   /// Called after each commit that was found right, with what stands then; false stops the check there.
   std::function<bool(const Model&)> afterCommit = {};
 
+  /// The only law to ask, by its place in the list; -1: none, as what calls give tells all. Null: all laws.
+  std::optional<int> law = {};
+
   /// Laws that are a recommendation to another engine. What breaks no others is handed to `advise`, the first of each
   /// in a trace, and the check goes on. There the engine must be left as it is.
   LawSet recommended = 0;
@@ -85,6 +88,7 @@ struct Mismatch {
   std::vector<Cell> edited;                ///< since the commit before
   Outline marked;                          ///< segments to point out, if neither outline shows what is wrong
   Capabilities can = Capabilities::all();  ///< of the engine: both outlines have no more than that
+  int law = -1;                            ///< that found it, by its place in the list; -1: what a call gave
 
   bool isNoAnswer() const { return kind == Kind::crash || kind == Kind::hang || kind == Kind::protocol; }
 };

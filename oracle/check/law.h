@@ -88,6 +88,8 @@ class Law {
   Law(const Law&) = delete;
   Law& operator=(const Law&) = delete;
 
+  int number = -1;  ///< its place in the list
+
   /// The engine has a new, empty world.
   virtual void begin(Seen&) {}
   /// A call that is no commit, of this library's engine: before it, with what must come of it; and after it.

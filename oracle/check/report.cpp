@@ -150,7 +150,9 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& 
 
 void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
                     const ReportOptions& reporting) {
-  const FindAgain findAgain = sameKind(found.kind, options);
+  CheckOptions looking = options;
+  if (options.engine == nullptr) looking.law = found.law;
+  const FindAgain findAgain = sameKind(found.kind, looking);
   if (options.engine == nullptr) return reportMismatch(found, trace, findAgain, reporting);
   const auto makeSmall = [&](const Trace& t) {
     return shrinkWithEngine(found, t, *options.engine, findAgain, reporting.shrinkFor);
@@ -174,10 +176,12 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   CheckOptions alone = options;
   alone.afterCommit = {};
   alone.naive = alone.cgal = false;
+  alone.law = -1;
   const auto crash = [&](const Trace& candidate) {
     return crashOf([&] { static_cast<void>(findMismatch(candidate, alone)); }, {.seconds = 10, .quiet = true});
   };
-  // Where the engine alone does not crash, a reference did.
+  // Where the calls alone do not crash, a law does, or a reference.
+  if (!crash(trace)) alone.law.reset();
   if (!crash(trace)) alone = options;
   const auto stillCrashes = [&](const Trace& candidate) { return crash(candidate).has_value(); };
   const Trace small = stillCrashes(trace) ? shrink(trace, stillCrashes, report.shrinkFor) : trace;

@@ -2,6 +2,7 @@
 
 #include "oracle/calls/shapes.h"
 #include "oracle/generate/forms.h"
+#include "oracle/reference/vector.h"
 
 #include <fmt/format.h>
 #include <lgs/world.h>
@@ -185,7 +186,7 @@ void Editor::tryRefused(Cell cell) {
   if (near_.in(cell).empty()) return place(cell);
   const Standing::Placed pattern = random_.pick(near_.in(cell));
   LocalPolygon polygon = pattern.vertices;  // as it is: overlaps itself
-  const int kind = random_.below(12);
+  const int kind = random_.below(14);
   if (kind == 0) polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
   if (kind == 1) polygon = random_.pick(random_.pick(habits_.shapes));
   const bool isSpoilt = kind > 2;
@@ -196,6 +197,10 @@ void Editor::tryRefused(Cell cell) {
   } else if (kind == 11) {  // any ring at all
     polygon.clear();
     for (int k = 4 + random_.below(9); k > 0; --k) polygon.push_back(randomPoint());
+  } else if (kind > 11) {  // one of many corners that is good but for one of these
+    polygon = random_.chance(40) ? randomRange() : randomStar();
+    const std::size_t k = random_.below(polygon.size());
+    polygon[k] = random_.chance(50) ? randomPoint() : random_.pick(polygon);
   } else if (isSpoilt) {
     polygon = spoilt(random_, std::move(polygon));
   }
@@ -308,10 +313,27 @@ LocalPolygon Editor::randomRange() {
   return turned(polygon, random_.below(8));
 }
 
+// Around the middle, with many corners: edges begin and end in all directions.
+LocalPolygon Editor::randomStar() {
+  const std::int32_t step = kUnitsPerCell / habits_.can.lattice, lines = habits_.can.lattice + 1;
+  LocalPolygon polygon;
+  for (int k = 18 + random_.below(30); k > 0; --k) {
+    const std::int32_t x = random_.below(lines) * step;
+    polygon.push_back({x, random_.below(lines) * step});
+  }
+  const auto fromMiddle = [](LocalPoint p) { return Vector{p.x - kUnitsPerCell / 2, p.y - kUnitsPerCell / 2}; };
+  std::ranges::sort(polygon, [&](LocalPoint a, LocalPoint b) {
+    const Vector u = fromMiddle(a), v = fromMiddle(b);
+    const auto isLower = [](Vector w) { return w.y < 0 || (w.y == 0 && w.x < 0); };
+    return isLower(u) != isLower(v) ? isLower(v) : cross(u, v) > 0 || (cross(u, v) == 0 && dot(u, u) < dot(v, v));
+  });
+  return polygon;
+}
+
 LocalPolygon Editor::randomPolygon() {
   if (!habits_.can.slants) return randomBox();
   if (random_.chance(15))
-    if (LocalPolygon range = randomRange(); !faultOf(range)) return range;
+    if (LocalPolygon many = random_.chance(60) ? randomRange() : randomStar(); !faultOf(many)) return many;
   LocalPolygon polygon{randomPoint(), randomPoint(), randomPoint()};
   if (faultOf(polygon) == ErrorCode::clockwise) std::swap(polygon[0], polygon[1]);
   for (int more = random_.below(8); more > 0; --more) {

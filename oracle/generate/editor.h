@@ -103,6 +103,7 @@ class Editor {
   LocalPolygon randomPolygon();
   LocalPolygon randomBox();
   LocalPolygon randomRange();
+  LocalPolygon randomStar();
   LocalPoint randomPoint();
 
   Trace trace_;

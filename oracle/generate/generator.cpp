@@ -107,7 +107,8 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   // Some cases do little else than move in time, or in memory, or are refused.
   enum { time, memory, memoryToo, refusal };
   const int mostly = options.isOfCalls ? random.below(10) : -1;
-  const bool isOfMemory = !options.inMemory && (mostly == memory || mostly == memoryToo);
+  const bool isOfMemory =
+      !options.inMemory && (mostly == memory || mostly == memoryToo || (options.streams && random.chance(70)));
   const bool isAtCorner = options.isOfCalls && (isOfMemory || random.chance(40));
   if (isAtCorner)  // of four chunks, which may leave memory
     origin = {32 * (random.below(5) - 2) - width / 2, 32 * (random.below(5) - 2) - height / 2};
@@ -135,7 +136,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     habits.hostilePercent = habits.any > 0 && random.chance(40) ? 10 : 0;
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
     habits.memory = random.chance(isAtCorner ? 60 : 20) && !options.inMemory ? 1 + random.below(5) : 0;
-    habits.stroke = options.brushes ? 10 : 0;
+    habits.stroke = !options.brushes ? 0 : random.chance(50) ? 10 : 50;
     if (mostly == time || isOfMemory) habits.travel = isOfMemory ? 10 : 40;
     if (isOfMemory) habits.memory = 25;
     if (mostly == refusal) habits.refused = 12;

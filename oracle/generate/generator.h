@@ -26,6 +26,7 @@ struct GeneratorOptions {
   bool isOfCalls = false;  ///< all calls of this library's; else adds, removes and commits alone, by name
   bool brushes = false;    ///< among the other calls
   bool inMemory = false;   ///< chunks stay there
+  bool streams = false;    ///< they mostly come and go, and little else is done
   bool bad = false;        ///< most of the edits must be refused
 };
 

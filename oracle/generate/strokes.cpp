@@ -56,7 +56,7 @@ class Painter {
   Block any() { return random_.pick(habits_.blocks); }
   std::int64_t between(std::int64_t least, std::int64_t most) { return random_.between(least, most); }
   std::vector<Ring> rings() {
-    if (!habits_.last.empty() && random_.chance(30)) return random_.chance(60) ? std::vector<Ring>{passing()} : again();
+    if (!habits_.last.empty() && random_.chance(40)) return random_.chance(60) ? std::vector<Ring>{passing()} : again();
     return crossingRings(habits_.tight ? *habits_.tight : tightAt(place(), random_), random_);
   }
 
@@ -209,11 +209,14 @@ class Painter {
     return ring;
   }
 
-  /// A triangle with an edge that passes a corner by less than a unit or two, or runs so along a line between cells.
+  /// A triangle with an edge that passes a corner by less than a unit or two; or runs so along a line between cells, and
+  /// past some of them, where its rounded ends lie on the line.
   Ring passing() {
     Point corner = random_.pick(random_.pick(habits_.last));
-    Point step{between(-2'000, 2'000), between(-2'000, 2'000)};
-    if (random_.chance(30)) {
+    const bool isAlongLine = random_.chance(40);
+    const std::int64_t most = isAlongLine ? 12'000 : 2'000;
+    Point step{between(-most, most), between(-most, most)};
+    if (isAlongLine) {
       const Point origin = toWorld(cell_, {0, 0});
       const bool lies = random_.chance(50);
       (lies ? corner.y : corner.x) = lies ? origin.y : origin.x;

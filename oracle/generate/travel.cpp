@@ -160,7 +160,7 @@ void Editor::remember(Cell cell) {
     back.nth = static_cast<std::uint32_t>(model_.marks()) - 1;
     make(std::move(back));
   };
-  switch (random_.below(13)) {
+  switch (random_.below(14)) {
     case 0:
     case 1:
       return turn(unload, cell);
@@ -252,6 +252,29 @@ void Editor::remember(Cell cell) {
       leaves.cells = chunk;
       make(std::move(leaves));
       return commits();
+    }
+    case 12: {  // what was undone leaves memory with its chunk, and comes back
+      const Cell corner = Model::cellsOfChunk(Model::chunkOf(cell)).min;
+      const std::int32_t i = random_.between(0, 31), j = random_.between(0, 31);
+      const Cell inside{corner.i + i, corner.j + j};
+      if (!inRange(inside)) return turn(unload, cell);
+      if (random_.chance(50)) make(squareAt(inside));
+      make(Call::of(mark));
+      Call gone = Call::of(clear);
+      gone.cells = {inside, inside};
+      make(near_.in(inside).empty() && random_.chance(50) ? squareAt(inside) : std::move(gone));
+      if (random_.chance(50)) edit();
+      commits();
+      Call back = Call::of(rollBack);
+      back.nth = static_cast<std::uint32_t>(model_.marks()) - 1;
+      back.keeps = Call::Keeps::always;
+      make(std::move(back));
+      turn(unload, inside);
+      if (random_.chance(30)) commits();
+      if (random_.chance(30)) turn(reload, inside);
+      make(Call::of(redo));
+      commits();
+      return random_.chance(70) ? allComesBack(cell) : void();
     }
     default:                     // leaves a place, and what was unloaded there
       if (random_.chance(40)) {  // of which the bytes do not say what was undone since

@@ -47,16 +47,20 @@ bool areVerticesToBlame(const Error& error, const LocalPolygon& polygon) {
 
 }  // namespace
 
-std::string wrongBlame(const Error& error, const LocalPolygon& polygon) {
-  if (!areVerticesToBlame(error, polygon)) {
+std::string wrongBlame(const Error& error, std::span<const LocalPolygon> polygons) {
+  const auto isFaulty = [](const LocalPolygon& polygon) { return faultOf(polygon).has_value(); };
+  const auto faulty = std::ranges::find_if(polygons, isFaulty);
+  const auto blamed = faulty == polygons.end() ? polygons.begin() : faulty;
+  if (!areVerticesToBlame(error, *blamed))
     return fmt::format("names vertices {} and {}, which are not to blame", error.vertex, error.vertex2);
-  }
-  const std::int32_t index = error.code == ErrorCode::cellOutOfRange ? -1 : 0;
-  if (error.polygon != index) return fmt::format("names polygon {} instead of {}", error.polygon, index);
   const bool isOverlap = error.code == ErrorCode::overlap;
-  if (error.polygon2 != -1 || (!isOverlap && error.other != PolygonHandle{}) || error.segment != SegmentId{}) {
+  const auto index =
+      error.code == ErrorCode::cellOutOfRange ? -1 : static_cast<std::int32_t>(blamed - polygons.begin());
+  const bool isJudged = isOverlap && polygons.size() > 1;
+  if (error.polygon != index && !isJudged) return fmt::format("names polygon {} instead of {}", error.polygon, index);
+  if ((error.polygon2 != -1 && !isJudged) || (!isOverlap && error.other != PolygonHandle{}) ||
+      error.segment != SegmentId{})
     return "sets a field that does not apply";
-  }
   return {};
 }
 

@@ -4,12 +4,13 @@
 
 #include "oracle/reference/validity.h"
 
+#include <span>
 #include <string>
 
 namespace lgs::oracle {
 
-/// Says which fields of an error are wrong; empty if none is. The error's code must be right for this polygon, and the
-/// polygon must be the only one of its call. The caller judges the cell, and the other polygon of an overlap.
-std::string wrongBlame(const Error& error, const LocalPolygon& polygon);
+/// Says which fields of an error are wrong; empty if none is. The error's code must be right for these polygons, all that
+/// its call counts, at least one. The caller judges the cell, and the polygons of an overlap.
+std::string wrongBlame(const Error& error, std::span<const LocalPolygon> polygons);
 
 }  // namespace lgs::oracle

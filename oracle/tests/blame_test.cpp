@@ -22,7 +22,7 @@ Pairs allowed(ErrorCode code, const LocalPolygon& polygon) {
       error.polygon = code == ErrorCode::cellOutOfRange ? -1 : 0;
       error.vertex = a;
       error.vertex2 = b;
-      if (wrongBlame(error, polygon).empty()) pairs.emplace(a, b);
+      if (wrongBlame(error, {&polygon, 1}).empty()) pairs.emplace(a, b);
     }
   }
   return pairs;
@@ -66,11 +66,11 @@ TEST(FuzzBlame, NoVertexWhereNoneApplies) {
 TEST(FuzzBlame, NoFieldThatDoesNotApply) {
   Error error;
   error.code = ErrorCode::clockwise;
-  EXPECT_NE(wrongBlame(error, kTriangle), "");  // the only polygon of the call has the index 0
+  EXPECT_NE(wrongBlame(error, {&kTriangle, 1}), "");  // the only polygon of the call has the index 0
   error.polygon = 0;
-  EXPECT_EQ(wrongBlame(error, kTriangle), "");
+  EXPECT_EQ(wrongBlame(error, {&kTriangle, 1}), "");
   error.other = {1, 1};
-  EXPECT_NE(wrongBlame(error, kTriangle), "");
+  EXPECT_NE(wrongBlame(error, {&kTriangle, 1}), "");
 }
 
 }  // namespace

@@ -18,12 +18,24 @@ std::string cellInWords(Cell cell) {
   return cell == Error::kNoCell ? "no cell" : fmt::format("({}, {})", cell.i, cell.j);
 }
 
+// The polygons that an error counts: of addMany() those of the entry to blame, or of the first shape that can not be made.
+Shape countedBy(const Error& error, const Call& call) {
+  Shape all;
+  if (call.kind != Kind::addMany)
+    for (const Coming& coming : call.comes) all.insert(all.end(), coming.shape.begin(), coming.shape.end());
+  else if (error.index >= 0)
+    all = call.comes[static_cast<std::size_t>(error.index)].shape;
+  else if (const auto bad = std::ranges::find_if(
+               call.comes, [&](const Coming& c) { return c.id == 0 && faultOf(call, c.shape).has_value(); });
+           bad != call.comes.end())
+    all = bad->shape;
+  return all;
+}
+
 // It names the first polygon of those that come that overlaps one before it, and of those the one that came first.
 std::string wrongOverlap(const Error& error, const Call& call, const World& world) {
   if (call.kind == Kind::addMany && error.index2 >= 0) return "";  // with another entry's, which has no handle
-  Shape comes;
-  for (const Coming& coming : call.comes) comes.insert(comes.end(), coming.shape.begin(), coming.shape.end());
-  if (call.kind == Kind::addMany) comes = call.comes[static_cast<std::size_t>(error.index)].shape;
+  const Shape comes = countedBy(error, call);
   std::vector<PlacedPolygon> there = world.polygons(error.cell);
   std::erase_if(there, [&](const PlacedPolygon& p) {
     return std::ranges::any_of(call.goes, [&](const Named& named) { return named.handle == p.handle; });
@@ -44,17 +56,18 @@ std::string wrongOverlap(const Error& error, const Call& call, const World& worl
   return "names an overlap, and there is none";
 }
 
-// What the refusal of a call that brings one polygon says of that.
+// What the refusal of a call that brings polygons says of these.
 std::string wrongPart(const Call& call, const Error& error) {
   if (error.code == ErrorCode::capacity || error.code == ErrorCode::unloaded)
     return error.vertex == -1 ? "" : "names a vertex, which is not to blame";
   if (call.kind == Kind::brush && error.code == ErrorCode::outOfReach)
     return std::pair(error.polygon, error.vertex) == vertexInNoCell(call.brush) ? "" : "blames another vertex";
-  const bool isOfOne = call.kind == Kind::add || call.kind == Kind::addShape || call.kind == Kind::shape ||
-                       call.kind == Kind::replace || call.kind == Kind::fill;
+  const bool brings = call.kind == Kind::add || call.kind == Kind::shape || call.kind == Kind::exchange ||
+                      (isByShape(call.kind) && !(call.comes.size() == 1 && call.comes[0].id != 0));
   const bool isSpoilt = isReal(call.notation) && call.offset >= kSpoiltOffset;
-  if (!isOfOne || isSpoilt || call.comes[0].id != 0 || call.comes[0].shape.size() != 1) return "";
-  return wrongBlame(error, call.comes[0].shape[0]);
+  if (!brings || isSpoilt || error.code == ErrorCode::staleHandle) return "";
+  const Shape counted = countedBy(error, call);
+  return counted.empty() ? "" : wrongBlame(error, counted);
 }
 
 }  // namespace
@@ -87,8 +100,7 @@ std::string Model::wrongAnswer(const Call& call, const Verdict& verdict, const O
   const auto isNamed = [&](const Named& named) { return named.handle == error.other; };
   if (error.code == ErrorCode::staleHandle && std::ranges::none_of(call.goes, isNamed))
     return "names no handle of the call";
-  const bool isAmongPlaced = error.code == ErrorCode::overlap && error.hasCell();
-  return isAmongPlaced ? wrongOverlap(error, call, world) : "";
+  return error.code == ErrorCode::overlap ? wrongOverlap(error, call, world) : "";
 }
 
 // New ones that name nothing yet, as many as come, none twice while no chunk was forgotten; and those that are told are

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <span>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -61,17 +62,19 @@ std::int32_t cut(std::int64_t index) {
 }  // namespace
 
 std::vector<HashedSquare> groundHashes(const World& world, int level) {
-  std::map<std::vector<std::int64_t>, HashedSquare> squares;
+  std::map<std::pair<std::int64_t, std::int64_t>, HashedSquare> squares;
   world.forEachPolygon([&](Cell cell, const PlacedPolygon& polygon) {
-    HashedSquare& square = squares[keyOf(cell, level)];
     const std::int64_t i = begin(cell.i, level), j = begin(cell.j, level), side = 32 * power4(level);
+    HashedSquare& square = squares[{j, i}];
     square.level = level;
     square.cells = {{cut(i), cut(j)}, {cut(i + side - 1), cut(j + side - 1)}};
     square.hash += hashOf(cell, polygon.block, {polygon.vertices.begin(), polygon.vertices.end()});
   });
   std::vector<HashedSquare> found;
-  for (const auto& [key, square] : squares)
+  for (const auto& [place, square] : squares)
     if (square.hash != 0) found.push_back(square);
+  if (found.size() > 1)
+    std::ranges::sort(found, {}, [&](const HashedSquare& square) { return keyOf(square.cells.max, level); });
   return found;
 }
 
@@ -94,6 +97,25 @@ std::optional<std::string> faultOf(const GroundHashes& hashes, const World& worl
   }
   const Cell at = (right == chunks.end() ? *wrong : *right).cells.min;
   return fmt::format("the hash of the chunk from cell ({}, {}) on is not that of its polygons", at.i, at.j);
+}
+
+std::optional<std::string> faultOfRounds(GroundHashes hashes) {
+  constexpr CellRect kAll{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+  constexpr int kRounds = 8;  // what grew by a chunk each time would not fit into what there is
+  const std::vector<HashedSquare> chunks = hashes.hashes(kAll);
+  const std::uint64_t all = hashes.hash();
+  std::uint64_t first = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    for (const HashedSquare& chunk : chunks) hashes.set(chunk.cells.min, 0);
+    if (hashes.hash() != 0 || !hashes.hashes(kAll).empty()) return "chunks without ground have hashes";
+    if (hashes.whole() != GroundHashes::square({0, 0}, 0)) return "without ground the least square is another one";
+    for (const HashedSquare& chunk : chunks) hashes.set(chunk.cells.max, chunk.hash);
+    if (round == 0) first = hashes.bytes();
+  }
+  if (hashes.hash() != all || hashes.hashes(kAll) != chunks)
+    return "chunks that are set as they were have other hashes";
+  return hashes.bytes() > first ? std::optional("hashes of chunks that come and go take more and more memory")
+                                : std::nullopt;
 }
 
 }  // namespace lgs::oracle

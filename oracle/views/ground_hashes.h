@@ -16,4 +16,7 @@ std::vector<HashedSquare> groundHashes(const World& world, int level);
 /// What is wrong with the hashes of chunks, and of the world.
 std::optional<std::string> faultOf(const GroundHashes& hashes, const World& world);
 
+/// The same when all chunks lose their ground and get it again, some times over.
+std::optional<std::string> faultOfRounds(GroundHashes hashes);
+
 }  // namespace lgs::oracle

@@ -8,24 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace lgs::test {
 namespace {
 
 LGS_LAW(Brush, StrokesKeepTheLaws, 600, (const TraceOfStrokes& trace)) { expectNoMismatch(trace, {.naive = false}); }
-
-/// The region, as far as it lies over the ground.
-Region within(Region region) {
-  constexpr std::int64_t kEnd = 3 * kUnitsPerCell;
-  for (Ring& ring : region.rings)
-    for (Point& p : ring) p = {std::clamp<std::int64_t>(p.x, 0, kEnd), std::clamp<std::int64_t>(p.y, 0, kEnd)};
-  return region;
-}
-
-LGS_LAW(Brush, Law10CarveAndPaintLeavesNoSeam, 3'000, (const AnyRegion& any)) {
-  for (const Ground ground : {Ground::solid, Ground::halved}) expectNoSeam(ground, within(any.region()));
-}
 
 }  // namespace
 }  // namespace lgs::test

@@ -60,22 +60,6 @@ rc::Gen<AnyRegion> AnyRegion::arbitrary() {
 
 World worldOf(Ground ground) { return worldOf(groundOf(ground)); }
 
-std::vector<std::vector<Point>> outlines(World& world) {
-  world.commit();
-  std::vector<std::vector<Point>> all;
-  for (const Loop& loop : world.loops(Collinear::merge)) all.push_back(loop.vertices);
-  return all;
-}
-
-void expectNoSeam(Ground ground, const Region& region) {
-  World world = worldOf(ground);
-  const auto solid = outlines(world);
-  must(carve(world, region));
-  world.commit();
-  must(paint(world, region, 1, PaintMode::fill));
-  EXPECT_EQ(outlines(world), solid);
-}
-
 std::map<PolygonHandle, Standing> standingIn(const World& world) {
   std::map<PolygonHandle, Standing> all;
   world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {

@@ -30,12 +30,6 @@ struct AnyRegion : oracle::Trace {
 
 World worldOf(Ground ground);
 
-/// The outlines, with straight lines as one segment each.
-std::vector<std::vector<Point>> outlines(World& world);
-
-/// What a region carves out of solid ground and fills again must leave no seam.
-void expectNoSeam(Ground ground, const Region& region);
-
 /// A polygon as it stands.
 struct Standing {
   Cell cell;

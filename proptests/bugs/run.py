@@ -104,13 +104,15 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         return [dataclasses.replace(bug, group=bulk)]
     if arguments.score:
         of_others = ("other-engines", "regions", "suites")  # what they need is no part of the one command
-        chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN) and bug.list not in of_others]
+        chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN)
+                  and getattr(bug, "list", "") not in of_others]
     if arguments.suite:
         chosen = [bug for bug in chosen if bug.file.startswith("lib/brush/")]
     if arguments.built:
         built = Finished(arguments.built)
-        programs = {name for name in {bug.group.program for bug in chosen} - {"lgs_cost_tests"} if built.has(name)}
         any_program = arguments.score or arguments.suite
+        programs = {bug.group.program for bug in chosen if not any_program} - {"lgs_cost_tests"}
+        programs = {name for name in programs if built.has(name)}
         chosen = [bug for bug in chosen if bug.file.split("/")[0] in ROOMS and "/include/" not in bug.file
                   and (any_program or bug.group.program in programs)]  # what many objects see takes too long
     if arguments.fuzz == "own":

@@ -69,7 +69,7 @@ class RoundedRegion {
     const bool isFilledLeft = isFilled(left.winding), isFilledRight = isFilled(right.winding);
     const bool isInside = side.isLeft ? isFilledLeft : isFilledRight, isOutline = isFilledLeft != isFilledRight;
     if (isInside && ground_.groups[side.area] == kNoGroup) return false;
-    return isOnRim(side) || (isOutline ? isFreeOutline(side, isInside, (isFilledLeft ? right : left).group != 0)
+    return isOnRim(side) || (isOutline ? isFreeOutline(side, isInside, (isFilledLeft ? right : left).group)
                                        : isFreeLine(side, isInside));
   }
 
@@ -81,11 +81,14 @@ class RoundedRegion {
   static Point doubledMiddle(const Side& side) { return {side.low.x + side.high.x, side.low.y + side.high.y}; }
 
   /// An edge of the rounded region is free, unless another edge of the exact one crosses it, and what is outside would
-  /// have to change there: then what is between that edge and its chain is on the wrong side of this one.
-  bool isFreeOutline(const Side& side, bool isInside, bool isGroundOutside) const {
-    const bool changes =
-        isInside ? !isGroundOutside && stroke_.fillsFreePlaces()
-                 : ground_.groups[side.area] != kNoGroup && stroke_.changes(ground_.polygons[side.area].block);
+  /// have to change there: then what is between that edge and its chain is on the wrong side of this one. If what is
+  /// outside stays, and not what is inside, that would be a slit between them.
+  bool isFreeOutline(const Side& side, bool isInside, std::int64_t groupOutside) const {
+    const Block block = ground_.polygons[side.area].block;
+    const bool isSlit = isInside && groupOutside > 0 && stroke_.changes(block) &&
+                        stroke_.stays(ground_.polygons[static_cast<std::size_t>(groupOutside) - 1].block);
+    const bool changes = isSlit || (isInside ? groupOutside == 0 && stroke_.fillsFreePlaces()
+                                             : ground_.groups[side.area] != kNoGroup && stroke_.changes(block));
     return !changes || std::none_of(parts_.begin(), parts_.end(),
                                     [&](const Segment& part) { return !isChainOf(side, part) && crosses(side, part); });
   }

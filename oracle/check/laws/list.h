@@ -10,9 +10,12 @@ namespace lgs::oracle::laws {
 
 // clang-format off
 #ifdef __wasm__  // the web's modules have no room for these
-#define LGS_LAWS_OF_BYTES(law)
+#define LGS_LAWS_OF_ROOM(law)
 #else
-#define LGS_LAWS_OF_BYTES(law)                                                                      \
+#define LGS_LAWS_OF_ROOM(law)                                                                       \
+  law(edges,     library)  /* 2: of any directed edges */                                           \
+  law(shapes,    library)  /* circles, rectangles, thick lines */                                   \
+  law(strokes,   library)  /* 10, and what is said of regions */                                    \
   law(memory,    library)  /* what goes leaves nothing */                                           \
   law(bytes,     library)  /* 7: bytes that are damaged, or of ill will */
 #endif
@@ -37,7 +40,7 @@ namespace lgs::oracle::laws {
   law(questions, library)  /* questions about places are answered as the slow way answers them */   \
   law(twins,     library)  /* 4, 5: moved, turned, mirrored, cut */                                 \
   law(past,      library)  /* 12, 7: what was undone, or refused, has left no trace */              \
-  LGS_LAWS_OF_BYTES(law)                                                                            \
+  LGS_LAWS_OF_ROOM(law)                                                                             \
   law(history,   any)      /* 4: how it came about does not matter; the last, as it begins anew */
 // clang-format on
 

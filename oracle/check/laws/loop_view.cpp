@@ -48,6 +48,9 @@ class LoopViewLaw : public Law {
     if (!seen.trace.preserve.empty()) return std::nullopt;  // where chunks are missing, nobody says what is a loop
     if (view_ && !view_->update(seen.world(), seen.library->changes()))
       return seen.mismatch(Mismatch::Kind::views, "a view of loops refuses what was committed");
+    const Changes& changes = seen.library->changes();
+    if (view_ && changes.before != changes.after && view_->update(seen.world(), changes))
+      return seen.mismatch(Mismatch::Kind::views, "a view of loops takes what does not lead from what it saw last");
     if (!view_) view_.emplace(seen.world());
     return std::nullopt;
   }

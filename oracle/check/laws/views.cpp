@@ -64,6 +64,11 @@ class ViewsLaw : public Law {
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
   }
 
+  Found atEnd(Seen& seen) override {
+    auto wrong = views_ ? faultOfRounds(views_->hashes) : std::nullopt;
+    return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
+  }
+
  private:
   using Wrong = std::optional<std::string>;
   static Wrong said(std::string wrong) { return wrong.empty() ? Wrong() : Wrong(std::move(wrong)); }
@@ -103,7 +108,10 @@ class ViewsLaw : public Law {
     const Changes& changes = seen.library->changes();
     if (!islands.update(world, changes) || !pieces.update(world, changes) || !hashes.update(world, changes))
       return seen.mismatch(Mismatch::Kind::views, "the views refuse what was committed");
-    if (changes.before == changes.after && !world.cellChanges().empty())
+    const bool isOther = changes.before != changes.after;
+    if (isOther && (islands.update(world, changes) || pieces.update(world, changes) || hashes.update(world, changes)))
+      return seen.mismatch(Mismatch::Kind::views, "a view takes what does not lead from what it saw last");
+    if (!isOther && !world.cellChanges().empty())
       return seen.mismatch(Mismatch::Kind::views, "the ground changed, and who missed that does not see it");
     // No law says what views tell where ground returns that they took for solid.
     const WholeGround whole = ground(seen);

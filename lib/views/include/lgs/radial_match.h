@@ -17,7 +17,7 @@
 // - Ghost vertices for levels drawn as lines.
 //
 // Crossings are not found: that is an overlay, and lgs/brush.h makes one for regions.
-// proptests/laws/law2_any_edges_test.cpp compares the loops with those of CGAL's unions.
+// oracle/check/laws/edges.cpp holds it to law 2, and its loops to those of outlines.
 #pragma once
 
 #include <lgs/error.h>
