@@ -44,8 +44,10 @@ void AskedNames::see(const Layer& layer) {
   leftOut_.see(layer.node.attribute("name").value());
   if (layer.kind == LayerKind::tiles) see("", "", propertiesOf(layer));
   if (layer.kind == LayerKind::objects) see(classOf(layer.node), "", {});
-  for (const auto node : layer.node.children("object"))
-    see(classOf(node), node.attribute("name").value(), propertiesOf(node));
+  for (const auto node : layer.node.children("object")) {
+    const Properties properties = properties_.asked.empty() ? Properties{} : propertiesOf(node);
+    see(classOf(node), node.attribute("name").value(), properties);
+  }
 }
 
 void AskedNames::see(const std::string& className, const std::string& name, const Properties& properties) {

@@ -120,7 +120,7 @@ class Lister {
     if (!options_.objects && options_.solidIf.empty()) return;
     for (const auto object : layer.node.children("object")) {
       const std::string className = classOf(object), name = object.attribute("name").value();
-      if (!isPicked(options_, className, name, propertiesOf(object))) continue;
+      if (!isPicked(options_, className, name, options_.objects ? Properties{} : propertiesOf(object))) continue;
       layer.wanted = layer.isPicked = true;
       names_.objects.seeName(className);
       names_.objects.seeName(name);
