@@ -33,8 +33,7 @@ AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
 void AskedNames::see(const Tileset& tileset) {
   tilesets_.see(tileset.name);
   for (const auto& [id, tile] : tileset.tiles) {
-    seeProperties(tile.properties);
-    seeNames(tile.className, "");
+    see(tile.className, "", tile.properties);
     for (const CollisionObject& object : tile.objects) see(object);
   }
 }
@@ -43,33 +42,23 @@ void AskedNames::see(const Layer& layer) {
   if (blockFrom_ == BlockFrom::layer) blocks_.see(layer.pathInMap);
   leftOut_.see(layer.pathInMap);
   leftOut_.see(layer.node.attribute("name").value());
-  if (layer.kind == LayerKind::tiles) seeProperties(propertiesOf(layer));
-  if (layer.kind != LayerKind::objects) return;
-  seeNames(classOf(layer.node), "");
+  if (layer.kind == LayerKind::tiles) see("", "", propertiesOf(layer));
+  if (layer.kind == LayerKind::objects) see(classOf(layer.node), "", {});
   for (const auto node : layer.node.children("object")) {
-    if (!properties_.asked.empty()) seeProperties(propertiesOf(node));
-    seeNames(classOf(node), node.attribute("name").value());
+    const Properties properties = properties_.asked.empty() ? Properties{} : propertiesOf(node);
+    see(classOf(node), node.attribute("name").value(), properties);
   }
 }
 
-void AskedNames::see(const CollisionObject& object) {
-  seeNames(object.className, object.name);
-  seeProperties(object.properties);
-}
-
-void AskedNames::seeProperties(const Properties& properties) {
-  if (properties_.asked.empty()) return;
-  for (const auto& [name, value] : properties) {
-    properties_.see(name);
-    if (const auto asked = values_.find(name); asked != values_.end()) asked->second.see(value);
+void AskedNames::see(const std::string& className, const std::string& name, const Properties& properties) {
+  for (const auto& [property, value] : properties) {
+    properties_.see(property);
+    if (const auto asked = values_.find(property); asked != values_.end()) asked->second.see(value);
   }
-}
-
-void AskedNames::seeNames(const std::string& className, const std::string& name) {
   for (const std::string* one : {&className, &name}) {
-    if (!one->empty()) leftOut_.see(*one);
-    const bool isBlock = blockFrom_ == BlockFrom::name || (blockFrom_ != BlockFrom::layer && one == &className);
-    if (isBlock && !one->empty()) blocks_.see(*one);
+    if (one->empty()) continue;
+    leftOut_.see(*one);
+    if (blockFrom_ == BlockFrom::name || (blockFrom_ != BlockFrom::layer && one == &className)) blocks_.see(*one);
   }
 }
 

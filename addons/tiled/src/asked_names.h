@@ -18,7 +18,7 @@ class AskedNames {
   /// Names that the maps have, be they imported or not.
   void see(const Tileset& tileset);
   void see(const Layer& layer);
-  void see(const CollisionObject& object);
+  void see(const CollisionObject& object) { see(object.className, object.name, object.properties); }
 
   /// A note for each name or value that nothing has which was seen. What decides on what is solid makes a part.
   void report(Report& report) const;
@@ -32,8 +32,7 @@ class AskedNames {
     }
   };
 
-  void seeProperties(const Properties& properties);
-  void seeNames(const std::string& className, const std::string& name);
+  void see(const std::string& className, const std::string& name, const Properties& properties);
 
   BlockFrom blockFrom_;
   Names properties_, blocks_, leftOut_, tilesets_;

@@ -65,7 +65,6 @@ class Census {
   }
 
   void takeTiles(const MapSource& map, const Layer& layer) {
-    if (layer.node.attribute(kLdtkNotSolidAttribute)) return;
     const std::size_t at = factsOf(layer);
     std::unordered_map<std::uint32_t, std::uint64_t> uses;
     readTiles(*map.file, layer, tilesLeft_, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
@@ -152,6 +151,7 @@ class Census {
     if (facts_.isLdtk && !all.isBare) {
       if (tile.className.size() <= kMostValue) facts.values[tile.className] += uses;
     } else if (!all.passable.empty()) {
+      facts.passable += uses;
       return pass(all.passable, uses, false, all.isBare);
     }
     if (!facts.isPassable)
@@ -189,11 +189,17 @@ class Census {
       facts.lines += isLine;
       if (isLine || node.child("point") || node.child("text")) continue;
       ++facts.objects;
-      if (const auto gid = node.attribute("gid")) takeFigure(map, facts, gid.as_uint());
+      if (const auto gid = node.attribute("gid")) {
+        const std::uint32_t number = tileNumber(gid.as_uint());
+        const Tileset* const tileset = map.tilesets.of(number);
+        ++facts.figures;
+        facts.bareFigures += tileset && tileset->tile(number - tileset->firstGid).objects.empty();
+      }
       bool isNamed = false, isSilent = true;
       const std::array<std::string, 2> names{classOf(node), node.attribute("name").value()};
       if (const std::string why = passableOf(names[0], names[1], propertiesOf(node)); isSaid && !why.empty()) {
         pass(why, 1);
+        ++facts.passable;
       }
       for (const std::string& name : names) {
         const Saying said = saying(name);
@@ -208,12 +214,6 @@ class Census {
         if (RuleFacts* const known = ruleFacts(name, value)) ++known->objects;
       }
     }
-  }
-
-  static void takeFigure(const MapSource& map, LayerFacts& facts, std::uint32_t gid) {
-    ++facts.figures;
-    const Tileset* const tileset = map.tilesets.of(tileNumber(gid));
-    facts.bareFigures += tileset && tileset->tile(tileNumber(gid) - tileset->firstGid).objects.empty();
   }
 
   Options options_;

@@ -16,10 +16,11 @@ struct LayerFacts {
   bool isOnlySeen = false;  ///< its name says that it lies behind or above the others
   bool isPassable = false;  ///< its name or a property says that bodies go through it, or die
 
-  std::uint64_t tiles = 0;   ///< that are not empty
-  std::uint64_t shaped = 0;  ///< of these, with shapes of their own
-  std::uint64_t bare = 0;    ///< of these, without shapes, so that they could be full squares
-  std::uint64_t cells = 0;   ///< of its rectangle
+  std::uint64_t tiles = 0;     ///< that are not empty
+  std::uint64_t shaped = 0;    ///< of these, with shapes of their own
+  std::uint64_t bare = 0;      ///< of these, without shapes, so that they could be full squares
+  std::uint64_t passable = 0;  ///< of these, or of the objects, deadly or passable
+  std::uint64_t cells = 0;     ///< of its rectangle
 
   std::uint64_t objects = 0;                         ///< that can have an area
   std::uint64_t figures = 0;                         ///< of these, tile objects

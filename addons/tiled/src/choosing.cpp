@@ -48,22 +48,24 @@ const LayerFacts* onlyLayer(const Facts& facts) {
 GridValues valuesOf(const Layers& layers) {
   std::map<std::string, std::uint64_t> values;
   std::uint64_t cells = 0;
-  bool isWalled = false;
+  bool isWalled = false, isSaid = false;
   for (const LayerFacts* layer : layers) {
     cells += layer->cells;
     for (const auto& [name, uses] : layer->values) {
       values[name] += uses;
       isWalled = isWalled || saying(name).isWall();
+      isSaid = isSaid || saying(name).says != Says::nothing;
     }
   }
   GridValues result;
   for (const auto& [name, uses] : values) {
-    const bool isFloor = saying(name).isFloor();
-    if (isGoneThrough(name) || (isWalled && isFloor)) result.through.push_back(name);
-    if (isWalled && !saying(name).isWall()) result.noWalls.push_back(name);
-    if (!isWalled && isFloor && 2 * uses > cells) result.floors.push_back(name);
+    const Saying said = saying(name);
+    const bool isOther = isWalled ? !said.isWall() : said.says == Says::nothing;
+    if (isGoneThrough(name) || (isWalled && said.isFloor())) result.through.push_back(name);
+    if (isSaid && isOther) result.others.push_back(name);
+    if (!isWalled && said.isFloor() && 2 * uses > cells) result.floors.push_back(name);
   }
-  for (std::vector<std::string>* const list : {&result.through, &result.noWalls, &result.floors}) {
+  for (std::vector<std::string>* const list : {&result.through, &result.others, &result.floors}) {
     if (list->size() == values.size()) list->clear();
     if (list->size() > kMostRules) list->resize(kMostRules);
   }
@@ -76,53 +78,21 @@ bool leaveChoice(const Options& options) {
 
 namespace {
 
-/// How many tiles of a layer a choice takes.
-std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& options) {
-  const bool isChosen = options.layers.empty() || has(options.layers, layer.name);
-  if (!isChosen || has(options.leaveOut, layer.name)) return 0;
-  if (options.solidWithoutShapes) return layer.tiles;
-  std::uint64_t tiles = layer.shaped;
-  for (const std::string& rule : options.solidIf) {
-    if (rule == kLayerProperty + ("=" + layer.name)) return layer.tiles;
-    const auto known = facts.rules.find(rule);
-    if (known == facts.rules.end()) continue;
-    const auto uses = known->second.layers.find(layer.name);
-    if (uses != known->second.layers.end()) tiles += uses->second;
-  }
-  return std::min(tiles, layer.tiles);
-}
-
-bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
-  if (!options.objects) return options.layers.empty() && objects.saying.says != Says::nothing;
-  const bool isByClass = !isLdtk && objects.isMixed() &&
-                         std::any_of(objects.classes.begin(), objects.classes.end(),
-                                     [&](const auto& one) { return has(*options.objects, one.first); });
-  return isByClass || has(*options.objects, objects.name);
+/// How many tiles or objects of a layer an import took.
+std::uint64_t taken(const LayerFacts& layer, const Report& report) {
+  std::uint64_t count = 0;
+  for (const LayerReport& one : report.layers)
+    if (one.kind == layer.kind && one.name == layer.name) count += one.solid;
+  return count;
 }
 
 /// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
 /// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
 bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
-  if (layer.isDrawn || layer.isPassable) return false;
+  if (layer.isDrawn || layer.isPassable || layer.saying.says == Says::nothing) return false;
   if (layer.saying.says == Says::collision) return true;
   if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
   return choice.evidence == Evidence::solid && choice.options.layers.empty() && !layer.saying.isFloor();
-}
-
-Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice) {
-  Options more = choice.options;
-  std::erase(more.leaveOut, layer.name);
-  more.layers.empty() ? more.solidIf.push_back(kLayerProperty + ("=" + layer.name)) : more.layers.push_back(layer.name);
-  return {concat("tile layer ", layer.name, ", of which ", tiles, " of ", counted(layer.tiles, "tile"), " are taken"),
-          std::move(more), "the same with all of tile layer " + layer.name};
-}
-
-Missed missedObjects(const LayerFacts& layer, const Facts& facts, const Choice& choice) {
-  Options more = choice.options;
-  if (!more.objects) more.objects = more.layers.empty() ? namesOfSaying(facts) : std::vector<std::string>{};
-  more.objects->push_back(layer.name);
-  return {"object layer " + layer.name + ", of which nothing is taken", std::move(more),
-          "the same with object layer " + layer.name};
 }
 
 /// Beside layers that were taken as a whole another one may be meant as well, unless its name says what it is. Water
@@ -132,13 +102,6 @@ bool isPlainLayer(const LayerFacts& layer) {
          (!layer.isForOther || isGoneThrough(layer.name));
 }
 
-/// Open polylines have no area, but can be made thick.
-Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options& options) {
-  Options thick = choosingArguments(choice.options) == choosingArguments(options) ? options : choice.options;
-  thick.polylineThickness = kLineThickness;
-  return {linesLeftOut(layer.name, layer.lines), std::move(thick), "the same with its polylines made thick"};
-}
-
 }  // namespace
 
 std::string linesLeftOut(const std::string& layer, std::uint64_t lines) {
@@ -146,31 +109,50 @@ std::string linesLeftOut(const std::string& layer, std::uint64_t lines) {
                 " left out");
 }
 
-std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
+std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options, const Report& report) {
   std::vector<Missed> result;
+  Options all = choice.options;  // with all that is due
   for (const LayerFacts& layer : facts.layers) {
     const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
     const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
     const bool isPlain = !choice.options.layers.empty() && isPlainLayer(layer);
     const bool isWater = isOfObjects && facts.isLdtk && isGoneThrough(layer.name) && !layer.isPassable;
-    if (!says && !isPlain && !isWater && !(areBoxes && layer.classes.empty())) continue;
+    const std::uint64_t count = taken(layer, report);
+    const bool isBegun = isOfObjects && count > 0;  // some are taken, by their class or property
+    if (!says && !isPlain && !isWater && !isBegun && !(areBoxes && layer.classes.empty())) continue;
     if (says && isOfObjects && !isDrawnByHand(layer)) continue;
-    const bool due = says && isDue(layer, choice, facts.isLdtk);
-    const auto add = [&](Missed one, bool isPart = true) {
-      one.isDue = due && isPart;
-      if (result.size() < kMaxSuggestions) result.push_back(std::move(one));  // as many commands follow
+    const bool due = isDue(layer, choice, facts.isLdtk);
+    const auto add = [&](std::string text, std::string offer, bool isPart, const auto& take) {
+      if (result.size() == kMaxSuggestions) return;  // as many commands follow
+      result.push_back({std::move(text), choice.options, std::move(offer), isPart});
+      take(result.back().options);
+      if (isPart) take(all);
     };
-    if (!isOfObjects) {
-      const std::uint64_t tiles = taken(layer, facts, choice.options);
-      const bool isWhole = tiles == layer.tiles || isFull(layer) || layer.isDrawn || layer.isPassable;
-      if (!isWhole) add(missedTiles(layer, tiles, choice), 4 * tiles < 3 * layer.tiles);
-      continue;
-    }
-    if (facts.isLdtk && !due && !isWater) continue;
-    if (!isTaken(layer, choice.options, facts.isLdtk) && layer.objects > 0) add(missedObjects(layer, facts, choice));
-    if (says && options.polylineThickness == 0 && layer.lines > 0) add(missedLines(layer, choice, options));
+    const bool isForSeeing = isFull(layer) || layer.isDrawn || layer.isPassable || !layer.values.empty();
+    if (!isOfObjects && !isForSeeing && count + layer.passable < layer.tiles)
+      add(concat("tile layer ", layer.name, ", of which ", count, " of ", counted(layer.tiles, "tile"), " are taken"),
+          "the same with all of tile layer " + layer.name, due && 4 * count < 3 * layer.tiles, [&](Options& more) {
+            std::erase(more.leaveOut, layer.name);
+            more.layers.empty() ? more.solidIf.push_back(kLayerProperty + ("=" + layer.name))
+                                : more.layers.push_back(layer.name);
+          });
+    if (!isOfObjects || (facts.isLdtk && !due && !isWater)) continue;
+    const auto takeObjects = [&](Options& more) {
+      if (!more.objects) more.objects = more.layers.empty() ? namesOfSaying(facts) : std::vector<std::string>{};
+      if (!has(*more.objects, layer.name)) more.objects->push_back(layer.name);
+    };
+    if (count + layer.passable < layer.objects)
+      add(concat("object layer ", layer.name, ", of which ",
+                 count == 0 ? "nothing is" : concat(count, " of ", counted(layer.objects, "object"), " are"), " taken"),
+          "the same with object layer " + layer.name, due && count == 0, takeObjects);
+    if (says && options.polylineThickness == 0 && layer.lines > 0)
+      add(linesLeftOut(layer.name, layer.lines), "the same with its polylines made thick", due, [&](Options& more) {
+        if (more.objects || !more.layers.empty()) takeObjects(more);
+        more.polylineThickness = kLineThickness;
+      });
   }
-  std::stable_partition(result.begin(), result.end(), [](const Missed& one) { return one.isDue; });
+  const auto rest = std::stable_partition(result.begin(), result.end(), [](const Missed& one) { return one.isDue; });
+  if (rest - result.begin() > 1) result.insert(result.begin(), {"", std::move(all), "the same with all of these"});
   return result;
 }
 

@@ -43,9 +43,7 @@ class Chooser {
     addOnlyLayer();
     if (isDecided && !namesOfSaying(facts_).empty())
       add(Evidence::onlyLayer, options_, "object layers whose tiles have shapes: " + listed(namesOfSaying(facts_)));
-    for (const bool haveFigures : {false, true}) addObjectLayers(false, haveFigures);
-    addTileLayers();
-    for (const bool haveFigures : {false, true}) addObjectLayers(true, haveFigures);
+    addOffers();
     return std::move(result_);
   }
 
@@ -80,37 +78,47 @@ class Chooser {
     options_.leaveOut.insert(options_.leaveOut.end(), pictures_.begin(), pictures_.end());
   }
 
-  /// IntGrid layers are all taken. But if some are called collision, the others are for something else. Values that one
-  /// goes through are left out, and so is a floor beside walls. Returns whether there is something to be chosen.
+  /// IntGrid layers are all taken, but for those with another use, and floors beside walls. If some are called
+  /// collision, the others are for something else. Values that one goes through are left out, and so is a floor beside
+  /// walls. Returns whether there is something to be chosen.
   bool addIntGrids() {
-    Layers some, all;
+    Layers called, some, all;
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.kind != LayerKind::tiles || layer.isDrawn || layer.tiles == 0) continue;
       all.push_back(&layer);
-      if (layer.saying.word.starts_with("coll")) some.push_back(&layer);  // "Solid" may be one of several materials
+      if (layer.saying.word.starts_with("coll")) called.push_back(&layer);  // "Solid" may be one of several materials
+      if (!layer.isForOther || isForeground(layer.name)) some.push_back(&layer);
     }
-    if (some.empty()) some = all;
+    if (std::any_of(all.begin(), all.end(), [](const LayerFacts* layer) { return layer->saying.isWall(); }))
+      std::erase_if(some, [](const LayerFacts* layer) { return layer->saying.isFloor(); });
     if (all.empty()) return true;
+    if (!called.empty() || some.empty()) some = called.empty() ? all : called;
+    const bool isPart = some.size() < all.size();
     Options options = options_;
-    if (some.size() < all.size()) {
+    if (isPart) {
       options.layers = namesOf(some);
       options.objects = namesOf(saying(LayerKind::objects, Says::collision));
       if (options.objects->empty()) options.objects.reset();
     }
-    std::string text = some.size() < all.size() ? reasons(some) : "IntGrid layers: " + listed(namesOf(some));
+    std::string text = called.empty() || !isPart ? "IntGrid layers: " + listed(namesOf(some)) : reasons(some);
     if (!options.objects) join(text, reasons(sayingObjects(facts_)));
     const auto without = [&](Evidence evidence, const std::vector<std::string>& values) {
       Options rest = options;
       rest.leaveOut.insert(rest.leaveOut.end(), values.begin(), values.end());
       add(evidence, std::move(rest), text + (values.empty() ? "" : ", without " + listed(values)));
     };
-    const auto [through, noWalls, floors] = valuesOf(some);
+    const auto [through, others, floors] = valuesOf(some);
     const bool isDecided = floors.empty();
     if (!isDecided) without(Evidence::offered, floors);
     without(isDecided ? Evidence::solid : Evidence::offered, through);
-    if (!noWalls.empty() && noWalls != through) without(Evidence::offered, noWalls);
-    if (some.size() == all.size()) options.objects.emplace();  // all values, as whoever chooses gets them
+    if (isDecided && !others.empty() && others != through) without(Evidence::offered, others);
+    if (!isPart) options.objects.emplace();  // all values, as whoever chooses gets them
     if (!through.empty()) without(isDecided ? Evidence::solid : Evidence::offered, {});
+    if (isPart && called.empty()) {
+      options = options_;
+      options.objects.emplace();
+      add(Evidence::offered, std::move(options), "IntGrid layers: " + listed(namesOf(all)));
+    }
     return isDecided;
   }
 
@@ -269,39 +277,40 @@ class Chooser {
         "tile layer " + only->name + ", " + percent(only->share()) + " of the map: it is the only one that could be");
   }
 
-  void addObjectLayers(bool ofThings, bool haveFigures) {
-    for (const LayerFacts& layer : facts_.layers) {
-      const bool areOthers = layer.saying.says == Says::nothing && areThings(layer);
-      if (layer.kind != LayerKind::objects || layer.objects == 0 || areOthers != ofThings) continue;
-      if ((layer.saying.says != Says::nothing && isDrawnByHand(layer)) || (layer.figures > 0) != haveFigures) continue;
-      Options options = options_;
-      options.objects = {layer.name};
-      if (layer.bareFigures > 0 && layer.saying.says != Says::nothing) {  // as squares; then tile layers would be, too
-        options.solidWithoutShapes = true;
-        for (const LayerFacts& other : facts_.layers) {
-          if (other.kind == LayerKind::tiles && other.tiles > 0) options.leaveOut.push_back(other.name);
-        }
-      }
-      add(Evidence::offered, std::move(options),
-          "object layer " + layer.name + ", " + counted(layer.objects, "object") + ": nothing says what it is");
-    }
-  }
-
-  /// The likeliest first: what does not fill the map, and is no background; of these what is called "tiles" or the
-  /// like, and then the largest.
-  void addTileLayers() {
+  /// What nothing speaks for. The likeliest come first: objects that are no things, and first those that are no pictures;
+  /// tile layers that do not fill the map and are no background, of these what is called "tiles" or the like, and then
+  /// the largest.
+  void addOffers() {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
-      const bool isCovered = layer.saying.says != Says::nothing && !isFull(layer) && !isWalkedOn(layer);
-      if (layer.kind == LayerKind::tiles && layer.bare > 0 && !isCovered) layers.push_back(&layer);
+      const bool says = layer.saying.says != Says::nothing;
+      const bool isOffer = layer.kind == LayerKind::objects
+                               ? layer.objects > 0 && !(says && isDrawnByHand(layer))
+                               : layer.bare > 0 && !(says && !isFull(layer) && !isWalkedOn(layer));
+      if (isOffer) layers.push_back(&layer);
     }
     const auto key = [](const LayerFacts* layer) {
-      return std::tuple(isFull(*layer), isTiny(*layer), layer->isForOther, !isMainName(layer->name), -layer->share());
+      if (layer->kind == LayerKind::tiles)
+        return std::tuple(1, isFull(*layer), isTiny(*layer), layer->isForOther, !isMainName(layer->name),
+                          -layer->share());
+      const bool areOthers = layer->saying.says == Says::nothing && areThings(*layer);
+      return std::tuple(areOthers ? 2 : 0, layer->figures > 0, false, false, false, 0.0);
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
     for (const LayerFacts* layer : layers) {
-      add(Evidence::offered, wholeLayers({layer}),
-          "tile layer " + layer->name + ", " + percent(layer->share()) + " of the map: nothing says what it is");
+      const bool ofTiles = layer->kind == LayerKind::tiles;
+      Options options = ofTiles ? wholeLayers({layer}) : options_;
+      if (!ofTiles) options.objects = {layer->name};
+      if (layer->bareFigures > 0 &&
+          layer->saying.says != Says::nothing) {  // as squares; then tile layers would be, too
+        options.solidWithoutShapes = true;
+        for (const LayerFacts& other : facts_.layers)
+          if (other.kind == LayerKind::tiles && other.tiles > 0) options.leaveOut.push_back(other.name);
+      }
+      add(Evidence::offered, std::move(options),
+          concat(kindOf(*layer), " ", layer->name, ", ",
+                 ofTiles ? percent(layer->share()) + " of the map" : counted(layer->objects, "object"),
+                 ": nothing says what it is"));
     }
   }
 

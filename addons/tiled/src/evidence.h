@@ -56,7 +56,7 @@ inline bool isTiny(const LayerFacts& layer) { return layer.share() < 0.03; }
 /// Values of IntGrid layers that are not solid, if there are others.
 struct GridValues {
   std::vector<std::string> through;  ///< bodies go through them, or they are a floor beside walls
-  std::vector<std::string> noWalls;  ///< all that have no such name beside walls: bodies may walk on them
+  std::vector<std::string> others;   ///< all but the walls, or but those whose name says ground, if there are such
   std::vector<std::string> floors;   ///< a floor that fills most, without walls: bodies may stand on it, or walk on it
 };
 GridValues valuesOf(const Layers& layers);
@@ -70,14 +70,14 @@ std::vector<std::string> namesOfSaying(const Facts& facts);
 /// Whether a choice may be made without a wish of the user's.
 inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Evidence::onlyLayer; }
 
-/// What else says that it is solid, and is not in a choice, or only in part.
+/// What else says that it is solid, and is not in a choice, or only in part, by what the import of the choice took.
 struct Missed {
-  std::string text;   ///< "tile layer Blocks, of which 211 of 349 tiles are taken"
+  std::string text;   ///< "tile layer Blocks, of which 211 of 349 tiles are taken"; empty for all others together
   Options options;    ///< that would take it
   std::string offer;  ///< what these take
   bool isDue = true;  ///< without it the map is taken in part; otherwise it may be weaker evidence for the same thing
 };
-std::vector<Missed> missed(const Facts& facts, const Choice& taken, const Options& options);
+std::vector<Missed> missed(const Facts& facts, const Choice& taken, const Options& options, const Report& report);
 
 /// Those of the options that choose what is solid, as arguments of `lgs import`.
 std::vector<std::string> choosingArguments(const Options& options);

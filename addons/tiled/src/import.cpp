@@ -81,6 +81,7 @@ class Import {
     for (const Layer& layer : layers) {
       LayerReport& report = map_.report.layers.emplace_back();
       report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
+      report.name = layer.pathInMap;
       asked_.see(layer);
       for (const auto node : layer.node.children("object")) report.objects += !node.empty();
     }
@@ -129,11 +130,14 @@ class Import {
     const auto place = [&](const CollisionObject& object, const std::vector<Outline>& outlines) {
       asked_.see(object);
       const Block block = blockOf(object.className.empty() ? ofLayer : object.className, layer);
+      bool isSolid = false;
       constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
       cutObject(object, outlines, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
         if (!failed() && spend(1))
           placer_.place(cell, placer_.entry({{}, block, placer_.shape(ring), kNoTile, object.id, index}));
+        isSolid = true;
       });
+      map_.report.layers[index].solid += isSolid;
     };
     readObjects(*source_, layer, options_, budget_, place);
     checkBudget(layer.node);
@@ -196,6 +200,7 @@ class Import {
     }
     ++map_.report.tiles[ready->second.report].uses;
     if (!spend(ready->second.parts.size())) return;
+    map_.report.layers[layer.index].solid += !ready->second.parts.empty();
     for (const auto& [shift, entry] : ready->second.parts) {
       const Cell cell{static_cast<std::int32_t>(column + shift.i), static_cast<std::int32_t>(-1 - row + shift.j)};
       shift == Cell{} ? placer_.place(cell, entry) : carried_.push_back({cell, entry});
@@ -208,10 +213,8 @@ class Import {
     TileReport& report = map_.report.tiles[result.report];
     if (!budget_.tile(tileset, id)) return result;
     Tile tile = tileAt(tileset, id);
-    const bool isSolid = isSolidAsAsked(tile, layer.properties, options_);
-    report.isSolid = report.isSolid || isSolid;
+    report.isSolid |= squareAsAsked(tile, layer.properties, options_);
     if (report.layers.empty() || report.layers.back() != layer.index) report.layers.push_back(layer.index);
-    if (isSolid) tile.objects.push_back(fullSquare(tile));
     ImageFrame frame{
         tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
     if (tileset.fitToGrid) frame.scaleTo(grid_.tile);

@@ -1,6 +1,5 @@
 // An import from its beginning to its end: the files are opened, the evidence in them is weighed, the strongest choice
 // that gives a world is taken, and what else could be taken is tried.
-#include "below.h"
 #include "evidence.h"
 #include "ldtk.h"
 
@@ -65,13 +64,15 @@ class WholeImport {
   Imported take() {
     for (const Choice& choice : choices_) {
       if (!isTakenByItself(choice)) continue;
-      Imported map = import(choice.options, budget_);
+      Limits left(options_);
+      Imported map = import(choice.options, budget_, left);
       if (!map) return map;
       if (map->placements.empty() || isOutweighed(choice, map->report)) continue;
       taken_ = choice;
       return map;
     }
-    Imported map = import(options_, budget_);
+    Limits left(options_);
+    Imported map = import(options_, budget_, left);
     if (map && leaveChoice(options_)) forget(*map);
     return map;
   }
@@ -85,11 +86,6 @@ class WholeImport {
     const LayerFacts* const only = onlyLayer(facts_);
     return choice.evidence == Evidence::ground && only && only->saying.says == Says::nothing && isLittle(report) &&
            only->tiles > 4 * report.cells;
-  }
-
-  Imported import(const Options& options, Budget& budget) {
-    Limits left(options);
-    return import(options, budget, left);
   }
 
   /// One pass with these options. What it takes of the budget and of what is left is gone for the next.
@@ -123,21 +119,23 @@ class WholeImport {
     }
   }
 
-  /// Offers what options give, unless it is the same as what was taken or cannot be had. All that is tried shares what
-  /// one import may cost.
-  void offer(ImportedMap& map, Options options, const std::string& text, bool isDecided = true) {
+  /// Offers what options give, unless it cannot be had. All that is tried shares what one import may cost. Returns false
+  /// if it is the same as what was taken.
+  bool offer(ImportedMap& map, Options options, const std::string& text, bool isDecided = true) {
     if (isDecided && leaveChoice(options))
       options.objects = namesOfSaying(facts_);  // so that it is not the map that decides
     std::vector<std::string> arguments = choosingArguments(options);
-    if (isSpent_ || tried_ == kMaxSuggestions || !offered_.insert(arguments).second) return;
+    if (isSpent_ || tried_ == kMaxSuggestions || !offered_.insert(arguments).second) return true;
     ++tried_;
     Budget budget = budget_;
     const Imported other = import(options, budget, left_);
     isSpent_ = budget.isOutOfWork() || budget.isOutOfCells();
     if (!isSpent_) budget_ = budget;
     error_.reset();  // nothing but an offer that is not made
-    if (other && !other->placements.empty() && !isSameGround(map, *other))
-      map.report.suggestions.push_back({text, std::move(arguments), other->placements.size(), std::move(options)});
+    if (!other || other->placements.empty()) return true;
+    if (isSameGround(map, *other)) return false;
+    map.report.suggestions.push_back({text, std::move(arguments), other->placements.size(), std::move(options)});
+    return true;
   }
 
   /// All that could be taken; first what is hidden, if it was to be left out.
@@ -171,9 +169,8 @@ class WholeImport {
     Report& report = map.report;
     if (isLittle(report) && (taken_->evidence != Evidence::solid || onlyLayer(facts_)))
       join(report.partial, "it is less than 3 % of the map");
-    for (const Missed& part : missed(facts_, *taken_, options_)) {
-      join(part.isDue ? report.partial : report.also, part.text);
-      offer(map, part.options, part.offer);
+    for (const Missed& part : missed(facts_, *taken_, options_, report)) {
+      if (offer(map, part.options, part.offer)) join(part.isDue ? report.partial : report.also, part.text);
     }
     for (const Choice& choice : choices_)
       if (report.suggestions.empty()) offer(map, choice.options, choice.text);
@@ -181,7 +178,7 @@ class WholeImport {
 
   /// Reads the map, and what it names. A problem is kept.
   void open() {
-    auto file = std::make_unique<const XmlFile>(path_, reader_, "map", error_, Quoting{true, options_.filesAnywhere});
+    auto file = std::make_unique<const XmlFile>(path_, reader_, error_, options_.filesAnywhere);
     if (error_) return;
     if (std::string_view(file->root().name()) == "world") {
       world_ = std::move(file);
@@ -207,9 +204,7 @@ class WholeImport {
   /// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
   std::unique_ptr<const XmlFile> openMapOf(const WorldMap& entry) {
     auto file = std::make_unique<const XmlFile>(*world_, entry.name, "map", error_);
-    if (error_ && !file->wasRead()) {  // the world is to blame for naming it
-      std::string what = "the map's file " + error_->file + " " + error_->what;
-      error_.reset();
+    if (std::string what = file->takeReason("map"); !what.empty()) {
       if (!file->isMissing() || options_.allMaps) {
         world_->fail(entry.node, std::move(what));
       } else {
@@ -271,7 +266,6 @@ MapSource::MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const O
   if (!orientation.empty() && orientation != "orthogonal")
     file->fail(root, concat("has the orientation", file->quoted(" ", orientation),
                             ": only orthogonal maps have square cells"));
-  if (root.attribute(kLdtkAttribute)) checkGrids(*file, root);
   if (!file->failed()) tilesets.read(*file, templates, options.tiles);
 }
 

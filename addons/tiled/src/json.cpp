@@ -95,7 +95,7 @@ std::optional<std::string> scalarText(const Json& value) {
 }
 
 void JsonPlace::fail(std::string what) const {
-  if (!failed()) file->error = ImportError{file->name, 0, path, std::move(what)};
+  if (!failed()) file->error() = ImportError{file->name(), 0, path, std::move(what)};
 }
 
 std::vector<JsonPlace> JsonPlace::elements() const {
@@ -159,10 +159,10 @@ void addProperty(pugi::xml_node node, const std::string& name, const Json& value
   if (const auto text = scalarText(value)) setAttribute(property, "value", *text);
 }
 
-void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& document) {
-  const auto json = parseJson(text, file.mayQuote);
+void readJson(const XmlFile& file, std::string_view text, pugi::xml_document& document) {
+  const auto json = parseJson(text, file.mayQuote());
   if (!json) {
-    file.error = ImportError{file.name, static_cast<int>(json.error().line), "", json.error().what};
+    file.error() = ImportError{file.name(), static_cast<int>(json.error().line), "", json.error().what};
     return;
   }
   const JsonPlace root{&*json, "", &file};

@@ -22,23 +22,14 @@ struct JsonFault {
 /// what is wrong may be quoted.
 tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote);
 
-/// A file of JSON that is read. The reader reads the files of LDtk's levels. The first problem of the import is kept;
-/// after it, all functions return defaults.
-struct JsonFile {
-  std::string name;
-  bool mayQuote;
-  const FileReader& reader;
-  std::optional<ImportError>& error;
-};
-
 /// A value in a document. Its functions take any kind of value, since nlohmann's own may end the program if the kind is
 /// another one than they expect.
 struct JsonPlace {
   const Json* value;
   std::string path;
-  const JsonFile* file;
+  const XmlFile* file;
 
-  bool failed() const { return file->error.has_value(); }
+  bool failed() const { return file->failed(); }
   void fail(std::string what) const;
 
   bool isMissing() const { return value->is_null(); }
@@ -77,7 +68,7 @@ void setNumbers(pugi::xml_node node, std::initializer_list<std::pair<const char*
 void addProperty(pugi::xml_node node, const std::string& name, const Json& value);
 
 /// Makes a Tiled map, tileset, template or world, or an LDtk project, of the text of a file.
-void readJson(const JsonFile& file, std::string_view text, pugi::xml_document& document);
+void readJson(const XmlFile& file, std::string_view text, pugi::xml_document& document);
 
 /// The same for a JSON value of Tiled's; `kind` is "map", "tileset", "template" or "world".
 void readTiledJson(const JsonPlace& root, const char* kind, pugi::xml_document& document);

@@ -32,7 +32,9 @@ class Lister {
   };
 
   void list(pugi::xml_node node, const Parent& parent) {
+    const auto world = node.attribute(kWorldAttribute);
     for (const auto child : node.children()) {
+      if (world && std::string_view(world.value()) != child.attribute("name").value()) continue;
       const std::string_view kind = child.name();
       const bool isDrawn = child.attribute(kDrawnAttribute) && !drawnCounts_;
       const bool group = kind == "group", tiles = kind == "layer" && !isDrawn, objects = kind == "objectgroup";
@@ -49,9 +51,9 @@ class Lister {
       self.layer.offset.y += file_.real(child, "offsety");
       if (group || tiles) self.layer.wanted = names_.tiles.fit(self.layer) || self.layer.wanted;
       if (group || objects) self.objectsWanted = names_.objects.fit(self.layer) || self.objectsWanted;
-      if (tiles) names_.objects.fit(self.layer, "a tile layer: --layer ");
-      if (objects) names_.tiles.fit(self.layer, "an object layer: --objects ");
-      if (isDrawn) names_.tiles.fit(self.layer, "a layer of tiles that are only drawn: --solid --layer ");
+      if (tiles) names_.objects.seeOther(self.layer, "a tile layer: --layer ");
+      if (objects) names_.tiles.seeOther(self.layer, "an object layer: --objects ");
+      if (isDrawn) names_.tiles.seeOther(self.layer, "a layer of tiles that are only drawn: --solid --layer ");
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
       } else if (self.depth > kMaxDepth) {
@@ -104,36 +106,24 @@ class Lister {
 
   void chooseObjects(Layer& layer, const Parent& self) const {
     layer.isInReach = self.layer.wanted;
-    if (options_.objects) {
-      if (!self.objectsWanted) chooseClasses(layer);
-      layer.wanted = self.objectsWanted || !layer.classes.empty();
-      layer.remark = layer.wanted ? "chosen" : "not chosen";
-      if (!layer.classes.empty()) layer.remark += ", of a class or name";
-    } else if (!self.layer.wanted) {
-      layer.remark = "not chosen";
-    } else {
-      layer.wanted = sayingOf(layer.node, &layer.remark).says != Says::nothing;
-      if (!layer.wanted) chooseByProperty(layer);
-      if (!layer.wanted) layer.remark = "neither its name, its class nor a property says that it is solid";
-    }
+    layer.remark = "not chosen";
+    if (!options_.objects && !self.layer.wanted) return;
+    layer.wanted = options_.objects ? self.objectsWanted : sayingOf(layer.node, &layer.remark).says != Says::nothing;
+    if (!layer.wanted) pickObjects(layer);
+    if (options_.objects && layer.wanted) layer.remark = layer.isPicked ? "chosen, of a class or name" : "chosen";
+    if (options_.objects) return;
+    if (layer.isPicked) layer.remark = "objects with the property that was asked for";
+    if (!layer.wanted) layer.remark = "neither its name, its class nor a property says that it is solid";
   }
 
-  void chooseByProperty(Layer& layer) const {
-    if (options_.solidIf.empty()) return;
-    const auto objects = layer.node.children("object");
-    layer.isByProperty = std::any_of(objects.begin(), objects.end(), [&](const auto object) {
-      return firstFit(options_.solidIf, propertiesOf(object)) != nullptr;
-    });
-    layer.wanted = layer.isByProperty;
-    if (layer.wanted) layer.remark = "objects with the property that was asked for";
-  }
-
-  /// What was asked for may be a class or name that some of the objects have.
-  void chooseClasses(Layer& layer) const {
+  void pickObjects(Layer& layer) const {
+    if (!options_.objects && options_.solidIf.empty()) return;
     for (const auto object : layer.node.children("object")) {
-      for (std::string name : {classOf(object), std::string(object.attribute("name").value())}) {
-        if (!name.empty() && names_.objects.fitName(name)) layer.classes.insert(std::move(name));
-      }
+      const std::string className = classOf(object), name = object.attribute("name").value();
+      if (!isPicked(options_, className, name, options_.objects ? Properties{} : propertiesOf(object))) continue;
+      layer.wanted = layer.isPicked = true;
+      names_.objects.seeName(className);
+      names_.objects.seeName(name);
     }
   }
 
@@ -150,9 +140,9 @@ struct TileRect {
   std::int64_t column = 0, row = 0, width = 0, height = 0;
 };
 
-/// Whether this is the name of a layer or group, or its path.
-bool isCalled(const Layer& layer, const std::string& name) {
-  return name == layer.path || name == layer.pathInMap || (layer.node && name == layer.node.attribute("name").value());
+/// The paths and the name of a layer or group.
+std::vector<std::string> callsOf(const Layer& layer) {
+  return {layer.path, layer.pathInMap, layer.node.attribute("name").value()};
 }
 
 tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data, const TileRect& rect) {
@@ -195,30 +185,38 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
 
 Properties propertiesOf(const Layer& layer) {
   Properties result = propertiesOf(layer.node);
-  result.emplace(kLayerProperty, layer.pathInMap);
+  result[kLayerProperty] = layer.pathInMap;
   return result;
 }
 
-bool AskedLayers::fit(const Layer& layer, const char* other) {
-  if (!asked_.empty() && !other) known_.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
+bool isPicked(const Options& options, const std::string& className, const std::string& name,
+              const Properties& properties) {
+  if (!options.objects) return firstFit(options.solidIf, properties) != nullptr;
+  return (!className.empty() && has(*options.objects, className)) || (!name.empty() && has(*options.objects, name));
+}
+
+bool AskedLayers::fit(const Layer& layer) {
+  if (asked_.empty()) return false;
+  known_.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
   bool fits = false;
-  for (Asked& one : asked_) {
-    if (!isCalled(layer, one.name)) continue;
-    other ? void(one.other = other) : void(one.isFound = fits = true);
+  for (const std::string& name : callsOf(layer)) {
+    if (name.empty() || !asked_.contains(name)) continue;
+    found_.insert(name);
+    fits = true;
   }
   return fits;
 }
 
-bool AskedLayers::fitName(const std::string& name) {
-  const auto at = std::find_if(asked_.begin(), asked_.end(), [&](const Asked& one) { return one.name == name; });
-  if (at != asked_.end()) at->isFound = true;
-  return at != asked_.end();
+void AskedLayers::seeOther(const Layer& layer, const char* what) {
+  for (const std::string& name : callsOf(layer))
+    if (asked_.contains(name)) others_[name] = what;
 }
 
 void AskedLayers::checkAll(const XmlFile& file, const char* kind) const {
-  for (const auto& [name, isFound, other] : asked_) {
-    if (isFound) continue;
-    if (other) file.fail({}, concat("'", name, "' is ", other, shellWord(name)));
+  for (const std::string& name : asked_) {
+    if (found_.contains(name)) continue;
+    const auto other = others_.find(name);
+    if (other != others_.end()) file.fail({}, concat("'", name, "' is ", other->second, shellWord(name)));
     file.fail(file.root(), concat("has no ", kind, " layer or group '", name, "'", thereAre(name, known_)));
   }
 }

@@ -20,22 +20,28 @@ struct Layer {
   std::string pathInMap;  ///< without that name
   LayerKind kind{};
   bool wanted = false;
-  bool isInReach = true;               ///< of an object layer: Options::layers do not rule it out
-  DoublePoint offset;                  ///< pixels, y down; the sum of its own and those of its groups
-  std::set<std::string> classes = {};  ///< of an object layer: only objects of these classes or names; empty: all
-  bool isByProperty = false;           ///< of an object layer: only objects that have one of Options::solidIf
-  std::string remark;                  ///< for the report: why it is taken or passed over, or what is special about it
+  bool isInReach = true;  ///< of an object layer: Options::layers do not rule it out
+  DoublePoint offset;     ///< pixels, y down; the sum of its own and those of its groups
+  bool isPicked = false;  ///< of an object layer: only objects for which isPicked() holds
+  std::string remark;     ///< for the report: why it is taken or passed over, or what is special about it
 };
 
-/// The property of a layer that is its path in its map, unless the layer has one that is called so. By it a rule can
-/// take all tiles of a layer.
+/// The property of a layer that is its path in its map. By it a rule can take all tiles of a layer.
 inline constexpr const char* kLayerProperty = "layer";
 
 /// The properties of a layer, with kLayerProperty.
 Properties propertiesOf(const Layer& layer);
 
+/// Whether Options::objects has the class or name of an object; or if there are none, whether Options::solidIf has one of
+/// its properties.
+bool isPicked(const Options& options, const std::string& className, const std::string& name,
+              const Properties& properties);
+
 /// The attribute of a group that is a place for layers, such as a level, and no part of their names.
 inline constexpr const char* kPlaceAttribute = "lgs:place";
+
+/// The attribute of a project of LDtk with several worlds: the name of the one whose layers are listed.
+inline constexpr const char* kWorldAttribute = "lgs:world";
 
 /// Attributes of a layer of LDtk: its tiles are only drawn; what the report says of it.
 inline constexpr const char* kDrawnAttribute = "lgs:drawn";
@@ -50,28 +56,24 @@ struct MapPlace {
 /// The names of layers of one kind that the options ask for, and which of them were found.
 class AskedLayers {
  public:
-  explicit AskedLayers(const std::vector<std::string>& names) {
-    for (const std::string& name : names) asked_.push_back({name});
-  }
+  explicit AskedLayers(const std::vector<std::string>& names) : asked_(names.begin(), names.end()) {}
 
-  /// Whether this is a layer or group that was asked for. One of another kind is not: `other` says in the error what it
-  /// is.
-  bool fit(const Layer& layer, const char* other = nullptr);
+  /// Whether this is a layer or group that was asked for, by its name or path.
+  bool fit(const Layer& layer);
 
-  /// Whether the class or the name of an object was asked for.
-  bool fitName(const std::string& name);
+  /// A layer of another kind, which is none that was asked for. The error says `what` it is.
+  void seeOther(const Layer& layer, const char* what);
+
+  /// The class or the name of an object: perhaps one was asked for.
+  void seeName(const std::string& name) { found_.insert(name); }
 
   /// If a name fits no layer of all that were listed, the file keeps an error.
   void checkAll(const XmlFile& file, const char* kind) const;
 
  private:
-  struct Asked {
-    std::string name;
-    bool isFound = false;
-    const char* other = nullptr;  // which other layer it is the name of
-  };
-  std::vector<Asked> asked_;
+  std::set<std::string> asked_, found_;
   std::set<std::string> known_;  // the names of all layers and groups that were looked at, if any is asked for
+  std::map<std::string, const char*> others_;
 };
 
 struct LayerNames {

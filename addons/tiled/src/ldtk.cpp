@@ -15,29 +15,18 @@ constexpr std::uint64_t kSetSize = 1 << 20;  // how many tile numbers each tiles
 constexpr std::uint64_t kMaxSets = 0x7F;     // of IntGrid layers, and as many of drawn ones; above are flags
 constexpr std::size_t kMaxLayerName = 255;   // of an IntGrid layer
 
-/// What a project says of its layers, entities or tilesets, for all levels.
-class Definitions {
- public:
-  Definitions(const JsonPlace& root, const char* kind) : none_(root["defs"][kind][""]) {
-    for (const JsonPlace& one : root["defs"][kind].objects()) byNumber_.emplace(one["uid"].number(0), one);
-  }
-
-  /// The one with a number, which a layer or entity names; null if there is none.
-  const JsonPlace& operator[](double number) const {
-    const auto found = byNumber_.find(number);
-    return found == byNumber_.end() ? none_ : found->second;
-  }
-
- private:
-  std::map<double, JsonPlace> byNumber_;
-  JsonPlace none_;
-};
+/// What a project says of its layers, entities or tilesets, for all levels, by the numbers that name them.
+std::map<double, JsonPlace> definitions(const JsonPlace& root, const char* kind) {
+  std::map<double, JsonPlace> result;
+  for (const JsonPlace& one : root["defs"][kind].objects()) result.emplace(one["uid"].number(0), one);
+  return result;
+}
 
 /// A tileset of the document: the values of an IntGrid layer, or the tiles that are drawn from one of the project's.
 struct TileSet {
   std::uint64_t firstGid = 0;
   std::string layer;
-  double grid = 0;
+  double grid = 0, tile = 0;                   // the sides of a cell and of a tile
   std::map<std::uint64_t, std::string> tiles;  // that are used or defined; the names of values
 };
 using TileSets = std::map<std::pair<double, double>, TileSet>;  // by the numbers of layer and tileset
@@ -92,8 +81,8 @@ class LdtkProject {
     if (!level["layerInstances"].isMissing() || named.empty()) return readLayers(level, group);
     const bool isLevel = named.ends_with(".ldtkl") || named.ends_with(".json");
     if (!isLevel || named.starts_with('/')) return level.fail("its file should be a .ldtkl in its project");
-    const std::string path = pathBeside(root_.file->name, named);
-    const auto text = root_.file->reader(path);
+    const std::string path = pathBeside(root_.file->name(), named);
+    const auto text = root_.file->reader()(path);
     if (!text) return level.fail("its file " + path + " cannot be read: " + text.error());
     const auto json = parseJson(*text, false);
     if (!json) {
@@ -131,6 +120,9 @@ class LdtkProject {
     if (!set) return layer.fail(concat("is one IntGrid layer too many: there may be ", kMaxSets));
     if (set->layer.size() > kMaxLayerName)  // the names of its values may have it, each one anew
       return layer["__identifier"].fail(concat("should have at most ", kMaxLayerName, " bytes"));
+    const double side = layer["__gridSize"].number();
+    if (!(side >= 1 && side <= kMaxCellPixels && side == std::floor(side)))
+      return layer["__gridSize"].fail(concat("should be a whole number from 1 to ", kMaxCellPixels));
     const pugi::xml_node node = addLayer(to, "layer", layer);
     for (const auto& [name, key] :
          {std::pair(kLdtkGridAttribute, "__gridSize"), std::pair("width", "__cWid"), std::pair("height", "__cHei")})
@@ -153,30 +145,25 @@ class LdtkProject {
 
   /// The tileset of a layer; null if there are too many.
   static TileSet* setOf(TileSets& sets, std::uint64_t before, const JsonPlace& layer, double tileset) {
+    const double side = layer["__gridSize"].number(0);
     const auto [at, isNew] = sets.try_emplace({layer["layerDefUid"].number(0), tileset});
-    if (isNew)
-      at->second = {(before + sets.size()) * kSetSize, layer.text("__identifier"), layer["__gridSize"].number(0), {}};
+    if (isNew) at->second = {(before + sets.size()) * kSetSize, layer.text("__identifier"), side, side, {}};
     if (sets.size() <= kMaxSets) return &at->second;
     sets.erase(at);
     return nullptr;
   }
 
-  /// A layer of tiles. One that cannot be solid says why, for whoever asks.
+  /// A layer of tiles. Theirs may be of another size than its cells: the upper left corners coincide.
   void readDrawn(const JsonPlace& layer, pugi::xml_node to) {
     const double side = layer["__gridSize"].number(0), tileset = layer["__tilesetDefUid"].number(0);
     setAttribute(to, kDrawnAttribute, "1");
     setNumbers(to,
                {{kLdtkGridAttribute, side}, {"width", 0}, {"height", 0}});  // each tile is a chunk: some share a cell
-    TileSet* const set = setOf(drawn_, kMaxSets, layer, tileset);
-    if (!set) return setAttribute(to, kLdtkNotSolidAttribute, "is one layer of tiles too many to be solid");
-    const double tileSide = tilesets_[tileset]["tileGridSize"].number(side);
-    if (tileSide != side) {
-      setAttribute(to, kLdtkNotSolidAttribute,
-                   concat("has tiles of ", numberText(tileSide), " px on a grid of ", numberText(side),
-                          " px. Only tiles as large as the grid can be solid"));
-    }
     const pugi::xml_node data = addElement(to, "data", layer);
     setAttribute(data, "encoding", "csv");
+    TileSet* const set = setOf(drawn_, kMaxSets, layer, tileset);
+    if (!set) return setAttribute(to, kRemarkAttribute, "one layer of tiles too many: they are left out");
+    set->tile = in(tilesets_, tileset)["tileGridSize"].number(side);
     std::set<std::tuple<double, double, double>> known;
     std::uint64_t astray = 0;
     for (const char* list : {"gridTiles", "autoLayerTiles"}) {
@@ -229,17 +216,18 @@ class LdtkProject {
     setAttribute(to, "type", entity.text("__identifier"));
     setNumbers(to, {{"x", at.x - pivot.x * size.x}, {"y", at.y - pivot.y * size.y}});
     setNumbers(to, {{"width", size.x}, {"height", size.y}});
-    if (entities_[entity["defUid"].number(0)].text("renderMode") == "Ellipse") to.append_child("ellipse");
+    if (in(entities_, entity["defUid"].number(0)).text("renderMode") == "Ellipse") to.append_child("ellipse");
     for (const JsonPlace& field : entity["fieldInstances"].objects()) {
       addProperty(to, field.text("__identifier"), *field["__value"].value);
     }
   }
 
   pugi::xml_node writeTileset(const TileSet& set) {
-    const pugi::xml_node node = map_.append_child("tileset");
+    pugi::xml_node node = map_.append_child("tileset");
     setAttribute(node, "name", set.layer);
     setAttribute(node, "firstgid", std::to_string(set.firstGid));
-    setNumbers(node, {{"tilewidth", set.grid}, {"tileheight", set.grid}});
+    setNumbers(node, {{"tilewidth", set.tile}, {"tileheight", set.tile}});
+    setNumbers(node.append_child("tileoffset"), {{"y", set.tile - set.grid}});
     return node;
   }
 
@@ -252,7 +240,7 @@ class LdtkProject {
 
   void writeIntGrids() {
     for (auto& [key, set] : intGrids_) {
-      for (const JsonPlace& value : layers_[key.first]["intGridValues"].objects()) {
+      for (const JsonPlace& value : in(layers_, key.first)["intGridValues"].objects()) {
         const double number = value["value"].number(0);
         if (!(number >= 1 && number < kSetSize)) continue;
         std::string& name = set.tiles[static_cast<std::uint64_t>(number)];
@@ -276,7 +264,7 @@ class LdtkProject {
       setAttribute(node, kLdtkDrawnAttribute, name);
       std::map<double, pugi::xml_node> tiles;
       for (const auto& [id, none] : set.tiles) tiles[static_cast<double>(id)] = writeTile(node, id, name);
-      for (const JsonPlace& tag : tilesets_[key.second]["enumTags"].objects()) {
+      for (const JsonPlace& tag : in(tilesets_, key.second)["enumTags"].objects()) {
         for (const JsonPlace& id : tag["tileIds"].elements()) {
           const auto tile = tiles.find(id.number());
           if (tile != tiles.end()) addProperty(tile->second, tag.text("enumValueId"), true);
@@ -296,6 +284,12 @@ class LdtkProject {
     if (isTaken(name)) name.insert(0, layer + ".");
     while (isTaken(name)) name += "." + number;
     return name;
+  }
+
+  /// A definition; null if there is none.
+  JsonPlace in(const std::map<double, JsonPlace>& all, double number) const {
+    const auto found = all.find(number);
+    return found == all.end() ? root_[""] : found->second;
   }
 
   DoublePoint pair(const JsonPlace& at) const {
@@ -320,7 +314,7 @@ class LdtkProject {
     setNumbers(node,
                {{"offsetx", from["__pxTotalOffsetX"].number(0)}, {"offsety", from["__pxTotalOffsetY"].number(0)}});
     if (!from["visible"].isMissing()) setAttribute(node, "visible", from.is("visible") ? "1" : "0");
-    const JsonPlace& definition = layers_[from["layerDefUid"].number(0)];
+    const JsonPlace definition = in(layers_, from["layerDefUid"].number(0));
     setNumbers(node, {{"parallaxx", 1 - definition["parallaxFactorX"].number(0)},
                       {"parallaxy", 1 - definition["parallaxFactorY"].number(0)}});
     return node;
@@ -329,7 +323,8 @@ class LdtkProject {
   const JsonPlace& root_;
   pugi::xml_node map_;
   TileSets intGrids_, drawn_;
-  const Definitions layers_{root_, "layers"}, entities_{root_, "entities"}, tilesets_{root_, "tilesets"};
+  const std::map<double, JsonPlace> layers_ = definitions(root_, "layers"), entities_ = definitions(root_, "entities"),
+                                    tilesets_ = definitions(root_, "tilesets");
   std::map<std::string, std::uint64_t> valueOf_;  // by name
 };
 

@@ -13,17 +13,16 @@ inline constexpr const char* kLdtkGridAttribute = "__gridSize";  ///< of the roo
 /// Of a world: from the first level to the last one. The root is the world if there is one.
 inline constexpr const char* kLdtkWidthAttribute = "ldtk:width";
 inline constexpr const char* kLdtkHeightAttribute = "ldtk:height";
-inline constexpr const char* kLdtkWorldsAttribute = "ldtk:worlds";       ///< of the root: there are several
-inline constexpr const char* kLdtkDepthsAttribute = "ldtk:depths";       ///< of a world: levels have several depths
-inline constexpr const char* kLdtkDrawnAttribute = "ldtk:drawn";         ///< of tilesets whose tiles are only drawn
-inline constexpr const char* kLdtkNotSolidAttribute = "ldtk:not-solid";  ///< of such layers: why they cannot be solid
+inline constexpr const char* kLdtkWorldsAttribute = "ldtk:worlds";  ///< of the root: there are several
+inline constexpr const char* kLdtkDepthsAttribute = "ldtk:depths";  ///< of a world: levels have several depths
+inline constexpr const char* kLdtkDrawnAttribute = "ldtk:drawn";    ///< of tilesets whose tiles are only drawn
+
+/// The longest side of a cell.
+inline constexpr int kMaxCellPixels = 1 << 16;
 
 bool isLdtkProject(const JsonPlace& root);
 
 void readLdtk(const JsonPlace& root, pugi::xml_document& document);
-
-/// An IntGrid layer whose cells have no size is an error.
-void checkGrids(const XmlFile& file, pugi::xml_node parent);
 
 /// Decides what depends on the layers that are wanted: which world stays, whether tiles that are only drawn are read,
 /// and how large a cell is. Gives each value of an IntGrid layer its block, unless the options give it another one.

@@ -10,8 +10,6 @@ namespace lgs::tiled {
 
 namespace {
 
-constexpr std::int64_t kMaxCellPixels = 1 << 16;
-
 /// One cell is one tile, so the tile layers that are wanted must have one grid. Returns the side of its cells.
 double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
   const auto isWanted = [](const Layer& layer) { return layer.wanted && layer.kind == LayerKind::tiles; };
@@ -29,18 +27,9 @@ double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
   return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
 }
 
-constexpr const char* kOtherWorld = "lgs:other-world";  // a group of a world that was not chosen
-
 void setAgain(pugi::xml_node node, const char* name, const std::string& value) {
   node.remove_attribute(name);
   setAttribute(node, name, value);
-}
-
-void refuseNotSolid(const XmlFile& file, const std::vector<Layer>& layers) {
-  for (const Layer& layer : layers) {
-    const auto why = layer.node.attribute(kLdtkNotSolidAttribute);
-    if (layer.wanted && why) file.fail(layer.node, std::string(why.value()) + ": choose other layers", "layers");
-  }
 }
 
 /// The worlds of all layers that are wanted; or, if tile layers were chosen and some are wanted, of these alone.
@@ -55,40 +44,23 @@ std::set<std::string> wantedWorlds(const std::vector<Layer>& layers, const Optio
   return options.layers.empty() || ofTiles.empty() ? all : ofTiles;
 }
 
-/// Several worlds of a project would lie over each other. The one that was chosen stays, and the others are no groups
-/// any more. Returns it.
+/// Several worlds of a project would lie over each other: the one that was chosen is listed alone. Returns it.
 pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
-  for (pugi::xml_node world = file.root().child(kOtherWorld); world; world = file.root().child(kOtherWorld)) {
-    world.set_name("group");
-  }
+  pugi::xml_node root = file.root();
+  root.remove_attribute(kWorldAttribute);
   LayerNames names(options);
   const std::set<std::string> worlds = wantedWorlds(listLayers(file, options, {}, names), options);
   if (worlds.size() > 1) {
-    file.fail(file.root(),
+    file.fail(root,
               "has several worlds, which lie over each other: choose one of " + listed({worlds.begin(), worlds.end()}),
               "layers");
   }
-  pugi::xml_node root = file.root(), chosen = root;
-  if (worlds.size() != 1) return chosen;
-  for (pugi::xml_node group = root.child("group"); group;) {
-    const pugi::xml_node next = group.next_sibling("group");
-    *worlds.begin() == group.attribute("name").value() ? void(chosen = group) : void(group.set_name(kOtherWorld));
-    group = next;
-  }
-  return chosen;
+  if (worlds.size() != 1) return root;
+  setAttribute(root, kWorldAttribute, *worlds.begin());
+  return root.find_child_by_attribute("group", "name", worlds.begin()->c_str());
 }
 
 }  // namespace
-
-void checkGrids(const XmlFile& file, pugi::xml_node parent) {
-  for (const auto node : parent.children()) {
-    const std::string_view kind = node.name();
-    if (kind == "group") checkGrids(file, node);
-    if (kind == "layer" && !node.attribute(kDrawnAttribute)) {
-      static_cast<void>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
-    }
-  }
-}
 
 void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes) {
   constexpr double kMostTiles = 1 << 28;
@@ -97,7 +69,6 @@ void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>&
   if (file.failed()) return;
   LayerNames names(options);
   const std::vector<Layer> layers = listLayers(file, options, {}, names);
-  refuseNotSolid(file, layers);
   const double grid = gridOf(file, layers);
   if (world.attribute(kLdtkDepthsAttribute)) {
     notes.push_back("levels at different depths are imported over each other: choose some by --layer");

@@ -42,7 +42,7 @@ void readTileObject(CollisionObject object, MapSource& source, const Options& op
   if (!budget.tile(*tileset, number - tileset->firstGid)) return;
   Tile tile = tileAt(*tileset, number - tileset->firstGid);
   if (isLeftOut(tile, options)) tile.objects.clear();
-  if (isSolidAsAsked(tile, {}, options)) tile.objects.push_back(fullSquare(tile));
+  squareAsAsked(tile, {}, options);
   if (tile.objects.empty()) return leftOut("its tile has no collision shapes");
   const DoublePoint size{object.size.x > 0 ? object.size.x : tile.size.x,
                          object.size.y > 0 ? object.size.y : tile.size.y};
@@ -74,11 +74,9 @@ void readTileObject(CollisionObject object, MapSource& source, const Options& op
 
 void readObjects(MapSource& source, const Layer& layer, const Options& options, Budget& budget, const ShapeSink& sink) {
   for (const auto node : layer.node.children("object")) {
-    if (layer.isByProperty && !firstFit(options.solidIf, propertiesOf(node))) continue;
     CollisionObject object = readObject(*source.file, node, layer.offset, source.templates);
     if (source.file->failed()) return;
-    if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name))
-      continue;
+    if (layer.isPicked && !isPicked(options, object.className, object.name, object.properties)) continue;
     object = asAsked(std::move(object), options);
     if (object.kind == Kind::tile) {
       readTileObject(std::move(object), source, options, budget, sink);

@@ -1,5 +1,4 @@
 // What there is of the disk in the importer.
-#include "below.h"
 #include "words.h"
 
 #include <lgs/tiled/import.h>

@@ -63,11 +63,8 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& template
     return tileset;
   }
   if (map.failed() || source.starts_with(kInsideTiled)) return tileset;
-  std::optional<ImportError>& error = map.error();
-  const XmlFile file(map, source, "tileset", error);
-  if (error && !file.wasRead()) {  // the map is to blame for naming it
-    std::string what = "the tileset's file " + error->file + " " + error->what;
-    error.reset();
+  const XmlFile file(map, source, "tileset", map.error());
+  if (std::string what = file.takeReason("tileset"); !what.empty()) {
     const bool isOfMap = std::string_view(map.root().name()) == "map";
     if (!isOfMap || !(file.isMissing() || file.isRefused())) map.fail(node, std::move(what));
     tileset.name = std::filesystem::path(source).stem().string();
@@ -92,16 +89,12 @@ Tile tileAt(const Tileset& tileset, std::uint32_t id) {
   return tile;
 }
 
-bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options) {
-  return !tile.isSettled && !isLeftOut(tile, options) && tile.objects.empty() &&
-         (options.solidWithoutShapes || firstFit(options.solidIf, tile.properties) != nullptr ||
-          firstFit(options.solidIf, layer) != nullptr);
-}
-
-CollisionObject fullSquare(const Tile& tile) {
-  CollisionObject square;
-  square.size = tile.size;
-  return square;
+bool squareAsAsked(Tile& tile, const Properties& layer, const Options& options) {
+  if (tile.isSettled || isLeftOut(tile, options) || !tile.objects.empty()) return false;
+  if (!options.solidWithoutShapes && !firstFit(options.solidIf, tile.properties) && !firstFit(options.solidIf, layer))
+    return false;
+  tile.objects.emplace_back().size = tile.size;
+  return true;
 }
 
 void Tilesets::read(const XmlFile& map, Templates& templates, const TileTable& table) {

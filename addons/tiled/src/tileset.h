@@ -40,11 +40,9 @@ void reshape(Tileset& tileset, const TileTable& table);
 /// Whether Options::leaveOut has the class of a tile, or a property.
 bool isLeftOut(const Tile& tile, const Options& options);
 
-/// Whether a tile without shapes is to be a full square. `layer` are the properties of its layer.
-bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options);
-
-/// The object that fills the image of a tile.
-CollisionObject fullSquare(const Tile& tile);
+/// Gives a tile without shapes one that fills its image, if it is to be a full square. `layer` are the properties of its
+/// layer. Returns whether it is.
+bool squareAsAsked(Tile& tile, const Properties& layer, const Options& options);
 
 /// The tilesets of a map.
 class Tilesets {

@@ -64,7 +64,7 @@ constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "backgrou
 constexpr auto kPassableBegins = std::to_array<std::string_view>(
     {"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "sensor", "spike", "trigger"});
 constexpr auto kFluidBegins =
-    std::to_array<std::string_view>({"acid", "hole", "lava", "pit", "rope", "vine", "void", "water"});
+    std::to_array<std::string_view>({"acid", "empty", "hole", "lava", "pit", "rope", "vine", "void", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties = std::to_array<std::string_view>(
@@ -176,7 +176,9 @@ bool isPassable(std::string_view name) {
 }
 
 bool isGoneThrough(std::string_view name) {
-  return isPassable(name) || anyWord(name, [](const std::string& word) { return begins(kFluidBegins, word); });
+  return isPassable(name) ||
+         anyWord(name, [](const std::string& word) { return word == "background" || word == "bg"; }) ||
+         anyWord(name, [](const std::string& word) { return begins(kFluidBegins, word); });
 }
 
 bool isPassage(std::string_view name) {

@@ -48,7 +48,7 @@ Saying sayingOfProperty(std::string_view name);
 /// Whether a name says that something is deadly, or lets bodies through: spikes, triggers, ladders and the like.
 bool isPassable(std::string_view name);
 
-/// The same for the name of a value of cells, which can also be water and the like.
+/// The same for the name of a value of cells, which can also be water, a background and the like.
 bool isGoneThrough(std::string_view name);
 
 /// Whether a name is about where bodies pass: "walkable". Then a value that says no is a wall.

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace lgs::tiled {
@@ -82,11 +83,20 @@ std::optional<double> parseReal(std::string_view text) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
-                 Quoting quoting, const std::string& refusal)
-    : name_(std::move(name)), quoting_(quoting), reader_(reader), error_(error) {
+XmlFile::XmlFile(std::string name, const FileReader& reader, std::optional<ImportError>& error, bool isTrusted)
+    : name_(std::move(name)), isTrusted_(isTrusted), reader_(reader), error_(error) {
+  read("map", "");
+}
+
+XmlFile::XmlFile(const XmlFile& by, const std::string& named, const char* rootName, std::optional<ImportError>& error)
+    : name_(by.pathTo(named)), isTrusted_(by.isTrusted_), mayQuote_(by.isTrusted_), reader_(by.reader_), error_(error) {
+  read(rootName, isTrusted_ ? "" : whyNotToRead(named, rootName));
+}
+
+/// A refusal says why it is not read.
+void XmlFile::read(const char* rootName, const std::string& refusal) {
   if (failed()) return;
-  auto text = refusal.empty() ? reader(name_) : tl::unexpected(refusal);
+  auto text = refusal.empty() ? reader_(name_) : tl::unexpected(refusal);
   wasRead_ = text.has_value();
   if (wasRead_) {
     text_ = std::move(*text);
@@ -99,18 +109,13 @@ XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootNam
   }
 }
 
-XmlFile::XmlFile(const XmlFile& by, const std::string& named, const char* rootName, std::optional<ImportError>& error)
-    : XmlFile(by.pathTo(named), by.reader_, rootName, error, {by.quoting_.others, by.quoting_.others},
-              by.quoting_.others ? "" : whyNotToRead(named, rootName)) {}
-
 void XmlFile::parse() {
   if (text_.empty()) return fail({}, isForeign("empty"));
   const std::string other = foreign(Sign::text, [&](auto sign) { return text_.starts_with(sign); });
   if (!other.empty()) return fail({}, other);
   const std::string_view start =
       trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
-  if (start.starts_with('{') || start.starts_with('['))
-    return readJson({name_, quoting_.own, reader_, error_}, text_, document_);
+  if (start.starts_with('{') || start.starts_with('[')) return readJson(*this, text_, document_);
   const auto result = document_.load_buffer(text_.data(), text_.size());
   if (result.encoding != pugi::encoding_utf8) text_.clear();  // places are those of the UTF-8 that it became
   if (result.status == pugi::status_no_document_element) return fail({}, isForeign("neither XML nor JSON"));
@@ -126,12 +131,19 @@ void XmlFile::expectRoot(std::string_view rootName) const {
   const std::string other = foreign(Sign::xml, [&](auto sign) { return found == sign; });
   if (!other.empty()) return fail(root(), other);
   const std::string should = concat("should be <", rootName, ">: this is not the kind of file expected here");
-  if (quoting_.own) return fail(root(), should);
+  if (mayQuote_) return fail(root(), should);
   fail({}, "its root " + should);
 }
 
 std::string XmlFile::quoted(const char* before, std::string_view text) const {
-  return quoting_.own ? before + inQuotes(text) : "";
+  return mayQuote_ ? before + inQuotes(text) : "";
+}
+
+std::string XmlFile::takeReason(const char* kind) const {
+  if (!failed() || wasRead_) return {};
+  std::string why = concat("the ", kind, "'s file ", error_->file, " ", error_->what);
+  error_.reset();
+  return why;
 }
 
 int XmlFile::line(pugi::xml_node node) const {
@@ -145,8 +157,7 @@ int XmlFile::lineAt(std::ptrdiff_t offset) const {
 }
 
 void XmlFile::fail(pugi::xml_node node, std::string what, std::string option) const {
-  if (!failed())
-    error_ = ImportError{name_, line(node), describe(node, quoting_.own), std::move(what), std::move(option)};
+  if (!failed()) error_ = ImportError{name_, line(node), describe(node, mayQuote_), std::move(what), std::move(option)};
 }
 
 std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::optional<std::int64_t> fallback,
@@ -193,6 +204,39 @@ std::string inQuotes(std::string_view piece) {
 std::string pathBeside(const std::string& file, std::string named) {
   std::replace(named.begin(), named.end(), '\\', '/');
   return (std::filesystem::path(file).parent_path() / named).lexically_normal().generic_string();
+}
+
+namespace fs = std::filesystem;
+
+std::string folderOf(const std::string& file) { return fs::path(file).parent_path().generic_string(); }
+
+bool liesBelow(const std::string& folder, const std::string& path) {
+  const fs::path root = fs::path(folder).lexically_normal(), to = fs::path(path).lexically_normal();
+  const auto isUp = [](const fs::path& step) { return step == ".."; };
+  const auto ups = [&](const fs::path& p) { return std::find_if_not(p.begin(), p.end(), isUp); };
+  if (root == "." || ups(root) == root.end()) {  // "", ".", "..", "../..": what goes no further up lies below it
+    const auto up = root == "." ? 0 : std::distance(root.begin(), root.end());
+    const auto its = std::distance(to.begin(), ups(to)), steps = std::distance(to.begin(), to.end());
+    return !to.has_root_name() && !to.has_root_directory() && steps > its && to != "." && its <= up;
+  }
+  const fs::path from = to.lexically_relative(root);
+  return !from.empty() && from != "." && !isUp(*from.begin());
+}
+
+std::string withoutSlash(const fs::path& folder) {
+  const fs::path plain = folder.lexically_normal();
+  return plain.empty() ? "." : (plain.has_filename() ? plain : plain.parent_path()).generic_string();
+}
+
+std::string folderOfBoth(const std::string& file, const std::string& other) {
+  fs::path folder = fs::path(file).parent_path().lexically_normal();
+  if (fs::path(other).has_root_directory() != folder.has_root_directory()) return folderOf(other);
+  while (!liesBelow(folder.generic_string(), other)) {
+    const fs::path up = (folder / "..").lexically_normal();
+    if (up == folder) break;
+    folder = up;
+  }
+  return withoutSlash(folder);
 }
 
 std::string classOf(pugi::xml_node node) {

@@ -6,6 +6,7 @@
 #include <lgs/tiled/import.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -55,33 +56,43 @@ std::string numberText(double value);
 /// The path of a file that another one names by a path from its own folder, in either kind of slashes.
 std::string pathBeside(const std::string& file, std::string named);
 
+/// The folder of a file; "" if its path has none. These go by paths as they are written: links do not matter.
+std::string folderOf(const std::string& file);
+
+/// Whether a path leads to something below a folder: neither by "..", nor to another root or drive.
+bool liesBelow(const std::string& folder, const std::string& path);
+
+/// The path of a folder, normal and without a slash at its end.
+std::string withoutSlash(const std::filesystem::path& folder);
+
+/// The nearest folder that holds both files.
+std::string folderOfBoth(const std::string& file, const std::string& other);
+
 /// How a reason begins why a file is not read: its path, as it is written, leads out of the folder.
 inline constexpr std::string_view kNotInFolder = "it is not in the folder ";
 
-/// Whether errors may quote what stands in a file, and what stands in those that it names.
-struct Quoting {
-  bool own = true;
-  bool others = true;
-};
-
 class XmlFile {
  public:
-  /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. A refusal says
-  /// why it is not read. All files of an import share `error`, which must outlive them, as the reader must.
-  XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
-          Quoting quoting, const std::string& refusal = {});
+  /// Reads and parses a map; it may be a world. One that is trusted may name any file, and errors may quote those that
+  /// it names. All files of an import share `error`, which must outlive them, as the reader must.
+  XmlFile(std::string name, const FileReader& reader, std::optional<ImportError>& error, bool isTrusted);
 
-  /// The same of a file that another one names. Unless files may lie anywhere, it is read only if the name is not
-  /// absolute and has an extension of its kind.
+  /// The same of a file that another one names, whose root element must be `rootName`. Unless files may lie anywhere, it
+  /// is read only if the name is not absolute and has an extension of its kind.
   XmlFile(const XmlFile& by, const std::string& named, const char* rootName, std::optional<ImportError>& error);
 
   const std::string& name() const { return name_; }
+  const FileReader& reader() const { return reader_; }
+  bool mayQuote() const { return mayQuote_; }  ///< errors may quote what stands in it
   pugi::xml_node root() const { return document_.document_element(); }
   bool failed() const { return error_.has_value(); }
   std::optional<ImportError>& error() const { return error_; }
-  bool wasRead() const { return wasRead_; }      ///< the reader gave its text, whatever there is in it
   bool isMissing() const { return isMissing_; }  ///< the reader says that there is no such file
   bool isRefused() const { return isRefused_; }  ///< nobody looked, as its name leads where the map may not read
+
+  /// Why there is no text of a file that another one names, which is to blame for that: the error goes into the text. ""
+  /// if it was read, whatever there is in it.
+  std::string takeReason(const char* kind) const;
 
   /// The line of a node, from 1; 0 if it has none, or comes from JSON.
   int line(pugi::xml_node node) const;
@@ -107,12 +118,13 @@ class XmlFile {
   std::vector<DoublePoint> points(pugi::xml_node node, const char* attribute) const;
 
  private:
+  void read(const char* rootName, const std::string& refusal);
   void parse();
   void expectRoot(std::string_view rootName) const;
   int lineAt(std::ptrdiff_t offset) const;
 
   std::string name_;
-  Quoting quoting_;
+  bool isTrusted_, mayQuote_ = true;
   bool wasRead_ = false, isMissing_ = false, isRefused_ = false;
   std::string text_;
   pugi::xml_document document_;

@@ -146,6 +146,19 @@ TEST(TiledCases, AFloorThatFillsALevelIsOffered) {
   EXPECT_EQ(map.report.suggestions[1].polygons, 5U);
 }
 
+/// Layers that are missed are offered together first. One that lies under what is taken is not missed.
+TEST(TiledCases, AllThatIsMissedIsOfferedAtOnce) {
+  const std::string shapes = tile(0, property("solid", "true"));
+  const std::string all = rows("Platforms", "aa../....") + rows("Blocks of snow", "..b./....");
+  const auto map = mustImportFiles({{"maps/test.tmx", plainMap(all + rows("Blocks of ice", "...b/b..."), shapes)}});
+  EXPECT_EQ(map.placements.size(), 2U);
+  EXPECT_THAT(map.report.partial, AllOf(HasSubstr("snow"), HasSubstr("ice")));
+  ASSERT_EQ(map.report.suggestions.size(), 3U);
+  EXPECT_EQ(map.report.suggestions[0].polygons, 5U);
+  const auto covered = mustImportFiles({{"maps/test.tmx", plainMap(all + rows("Walls", "b.../...."), shapes)}});
+  EXPECT_THAT(covered.report.partial, Not(HasSubstr("Walls")));
+}
+
 /// A guess is undone by the command of the second line, and that one by the first.
 TEST(TiledCases, EachOfferIsDifferentFromWhatWasTaken) {
   const std::string text = plainMap(rows("Collision", "..../aaaa") + rows("Walls", "a..a/aaaa"));

@@ -67,6 +67,33 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnDoNotSayWhatIsSolid) {
   }
 }
 
+/// A project in which the value 2 of the first IntGrid layer has another name.
+std::string withValue(const std::string& name, const std::string& layers) {
+  std::string text = project(level("A", 0, 0, layers));
+  return text.replace(text.find("\"ice\""), 5, '"' + name + '"');
+}
+
+TEST(TiledLdtk, NamesOfValuesAndLayersSayWhatIsNoGround) {
+  EXPECT_EQ(cellsOf(mustImportProject(withValue("Empty", grid("2,1,0,0,0,0")))), (Cells{{1, -1}}));
+  const auto terrain = mustImportProject(withValue("Terrain", grid("2,1,0,0,0,0")));
+  EXPECT_EQ(terrain.placements.size(), 2U);
+  ASSERT_FALSE(terrain.report.suggestions.empty());
+  EXPECT_EQ(
+      cellsOf(mustImportProject(withValue("Terrain", grid("2,1,0,0,0,0")), terrain.report.suggestions[0].options)),
+      (Cells{{0, -1}}))
+      << "first what says that it is ground is offered";
+  const auto two = [](const char* a, const char* b) {
+    return mustImportProject(project(level("A", 0, 0, grid("1,1,1,1,1,1", a) + "," + grid("0,1,0,0,0,0", b, 2))));
+  };
+  for (const auto& [none, ground] : {std::pair("Background", "Foreground"), {"Floor", "Walls"}}) {
+    const auto map = two(none, ground);
+    EXPECT_EQ(cellsOf(map), (Cells{{1, -1}})) << none;
+    ASSERT_FALSE(map.report.suggestions.empty());
+    EXPECT_EQ(map.report.suggestions.back().polygons, 6U) << "all of them are offered";
+  }
+  EXPECT_EQ(two("Ground", "Solid").placements.size(), 6U);
+}
+
 TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
   std::string text = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("0,3,0,0,0,0"));
   text.replace(text.find("\"dirt\""), 6, "\"Deco\"");
@@ -85,11 +112,9 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   EXPECT_THAT(empty.report.suggestions[0].arguments, ElementsAre("--layer", "Deco", "--solid"));
   const std::string at = "maps/test.tmx: levels/0/layerInstances/0";
   const std::string large = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("1,0,0,0,0,0"), "16");
-  EXPECT_EQ(refusalOf(large, {.solidWithoutShapes = true}),
-            at + " 'Deco' has tiles of 16 px on a grid of 8 px. Only tiles as large as the grid can be solid: choose "
-                 "other layers (Options::layers)");
-  EXPECT_EQ(cellsOf(mustImportProject(large, {.solidWithoutShapes = true, .layers = {"Solid"}})).size(), 1U)
-      << "the others do not matter";
+  EXPECT_EQ(cellsOf(mustImportProject(large, {.solidWithoutShapes = true, .layers = {"Deco"}})),
+            (Cells{{1, -2}, {2, -2}, {1, -1}, {2, -1}}))
+      << "from the upper left corner of its cell";
   EXPECT_EQ(refusalOf(projectWithTiles(tiles("{\"px\":[1], \"t\":1}"))), at + "/gridTiles/0/px should be two numbers");
   for (const char* bad : {"-1", "0.5", "1048576"}) {
     EXPECT_EQ(refusalOf(projectWithTiles(tiles(std::string("{\"px\":[8,8], \"t\":") + bad + "}"))),
@@ -103,8 +128,8 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   }
   EXPECT_EQ(refusalOf(projectWithTiles(many), {.solidWithoutShapes = true, .layers = {"Solid"}}),
             "maps/test.tmx: <map> has no tile layer or group 'Solid'; there are 'A', 'Deco'");
-  EXPECT_THAT(refusalOf(projectWithTiles(many), {.solidWithoutShapes = true, .layers = {}}),
-              HasSubstr("is one layer of tiles too many to be solid"));
+  const auto all = mustImportProject(projectWithTiles(many), {.solidWithoutShapes = true});
+  EXPECT_EQ(all.report.layers.back().note, "one layer of tiles too many: they are left out");
 }
 
 TEST(TiledLdtk, OneWorldAtATime) {

@@ -185,7 +185,7 @@ TEST(TiledLdtk, Refusals) {
   }
   EXPECT_EQ(layer(grid("1048575,0,0,0,0,0")), "accepted");
   EXPECT_EQ(layer(grid("1,0,0,0,0,0", "Solid", 1, "\"__gridSize\":0, ")),
-            at + " 'Solid' __gridSize='0' should be a whole number from 1 to 65536");
+            at + "/__gridSize should be a whole number from 1 to 65536");
   EXPECT_EQ(layer("{\"__type\":\"Hexes\"}"), at + "/__type should be IntGrid, Entities, Tiles or AutoLayer");
   EXPECT_EQ(layer(things(entity("E", 1, "\"px\":[1], \"width\":8, \"height\":8"))),
             at + "/entityInstances/0/px should be two numbers");

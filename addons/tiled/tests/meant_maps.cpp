@@ -60,6 +60,12 @@ std::vector<MeantMap> meantMaps() {
       {"a solid layer, and shapes above it",
        mapOf(tile('d', kShape), tiles("Collision", U) + tiles("Rocks", "......../.d....d./......../........")),
        "......../.a....a./aaaaaaaa/aaaaaaaa"},
+      {"a layer that is solid by a property, and has one that is called layer",
+       mapOf(none,
+             "<layer name='tiles' width='8' height='4'><properties><property name='layer' value='3'/><property "
+             "name='solid' value='1'/></properties><data encoding='csv'>0,0,0,0,0,0,0,0,0,1,1,1,0,0,0,0,0,0,0,0,1,"
+             "1,1,0,0,0,0,0,0,0,0,0</data></layer>"),
+       P},
       {"a property of tiles and of a layer", mapOf(has('a', "collides"), tiles("L1", U) + tiles("L2", P, "collides")),
        "......../.aaa..../aaaaaaaa/aaaaaaaa"},
       {"shapes and walls that were drawn", mapOf(shape, tiles("World", U) + objects("Geometry", box(0, 0, 1, 2))),

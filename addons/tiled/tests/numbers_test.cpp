@@ -18,7 +18,7 @@ std::optional<double> read(const std::string& text) {
   const FileReader reader = [&](const std::string&) -> tl::expected<std::string, std::string> {
     return "<map x='" + text + "'/>";
   };
-  const XmlFile file("test.tmx", reader, "map", error, {});
+  const XmlFile file("test.tmx", reader, error, false);
   const double value = file.real(file.root(), "x");
   return error ? std::nullopt : std::optional(value);
 }

@@ -1,11 +1,11 @@
 // What a map from a stranger may read: regular files below its folder, unless an option opens more.
+#include "addons/tiled/src/xml.h"
 #include "maps.h"
 #include "proptests/support/command.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
 #include <cstdlib>
-#include "addons/tiled/src/below.h"
 
 namespace lgs::tiled {
 namespace {

@@ -55,6 +55,8 @@ struct LayerReport {
   LayerKind kind = LayerKind::tiles;  ///< what it holds
   std::uint64_t objects = 0;          ///< of an object layer
   std::vector<Note> notes = {};       ///< of its objects; sorted by kind, then object
+  std::string name = {};              ///< its path, without that of its map or level
+  std::uint64_t solid = 0;            ///< its tiles or objects that have an area, before overlaps are taken away
 };
 
 /// A block that the import used.
