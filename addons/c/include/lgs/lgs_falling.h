@@ -42,10 +42,10 @@ typedef struct lgs_placing {
 
 /* Sets a body into the ground as it lies: one edit, or nothing. Its vertices are rounded to the lattice, its polygons
  * are cut along the cells, and what is solid already stays as it is. So its polygons are others then, and the ids are
- * those that lgs_visit_cell_changes() shows after the commit. The body stays as it is. Refused:
- * LGS_OUT_OF_REACH, where a vertex would lie in no cell, or it is more than 4,096 cells wide or high; LGS_UNLOADED, if
- * it has a part of an unloaded cell; LGS_CAPACITY; and as by lgs_put(), for a body that fits nowhere. Cost: in proportion
- * to the cells that it covers, for each of its blocks and once more. */
+ * those that lgs_visit_cell_changes() shows after the commit. The body stays as it is. Refused: LGS_OUT_OF_REACH, where
+ * a vertex would lie in no cell, or a block of it is more than 4,096 cells wide or high; LGS_UNLOADED, if it has a part
+ * of an unloaded cell; LGS_CAPACITY; and as by lgs_put(), for a body that fits nowhere. Cost: in proportion to the cells
+ * that it covers, for each of its blocks. */
 LGS_API lgs_status lgs_put_as_it_lies(lgs_world* world, const lgs_body* body, const lgs_placing* placing,
                                       lgs_error* error) LGS_NOTHROW;
 

@@ -320,6 +320,7 @@ class Ground {
       f.isInAir = false;
       if (f.took >= now_) f.rock = atRest(std::move(f.rock.ground));
     }
+    if (options_.atEdge == AtEdge::open) looksAtAll_ = true;  // its anchors may have left since
     show(world_.changesOfRollBack());
     for (Fallen& f : fallen_)
       if (!f.isInAir && isThere(f)) make(f);
@@ -343,7 +344,7 @@ class Ground {
 
   // --- The window
 
-  /// Whether all of it is made. What is not in the window leaves again.
+  /// Whether all of it is made. Until it is, none of it is in memory: what is beside land that is not made would fall.
   bool makeLand(std::size_t& most) {
     if (!options_.land) return true;
     for (const Cell corner : chunksAround(window_)) {
@@ -352,7 +353,7 @@ class Ground {
       --most;
       made_.insert(corner);
       makeChunk(corner);
-      if (!contains(window_, corner)) static_cast<void>(world_.unload(chunkAround(corner), options_.shelf.put));
+      static_cast<void>(world_.unload(chunkAround(corner), options_.shelf.put));
     }
     return true;
   }
