@@ -96,7 +96,8 @@ LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers, std
   IsAnchor isAnchor = numbers > 1 ? inputAnchors(numbers) : IsAnchor{};
   if (const auto done = bridge->world.followCells(true); !done)
     return refused(done.error(), static_cast<Followed*>(nullptr));
-  return new Followed{{.moment = bridge->moment}, Islands(bridge->world, std::move(isAnchor), isOpen != 0 ? AtEdge::open : AtEdge::holds)};
+  return new Followed{{.moment = bridge->moment},
+                      Islands(bridge->world, std::move(isAnchor), isOpen != 0 ? AtEdge::open : AtEdge::holds)};
 }
 LGS_EXPORT("freeIslands") void freeIslands(Followed* followed) { delete followed; }
 

@@ -46,8 +46,7 @@ std::optional<IslandFacts> Islands::island(IslandId id) const noexcept {
 }
 IslandId Islands::of(const World& world, PolygonHandle polygon) const noexcept {
   const auto found = world.polygon(polygon);
-  if (!found)
-    return found.error().code == ErrorCode::unloaded && impl_->atEdge == AtEdge::holds ? kBeyond : IslandId{};
+  if (!found) return found.error().code == ErrorCode::unloaded && impl_->atEdge == AtEdge::holds ? kBeyond : IslandId{};
   detail::Locator locator(impl_->loops.outline(world), impl_->loops);
   return impl_->view.ofLocated(locator.ofPolygon(*world.cellOf(polygon), found->vertices));
 }

@@ -19,7 +19,8 @@ std::string wrongRefusal(World world, const Body& body) {
   const World before = world;
   const auto placed = put(world, body, body.origin);
   // A cell that is full already says so first.
-  const bool isRefused = !placed && (placed.error().code == ErrorCode::overlap || placed.error().code == ErrorCode::capacity);
+  const bool isRefused =
+      !placed && (placed.error().code == ErrorCode::overlap || placed.error().code == ErrorCode::capacity);
   if (!isRefused || placed.error().index + 1 != std::ssize(body.polygons))
     return "a body is put where something is in the way of its last polygon, or another one is blamed";
   std::string left = differenceOf(before, world);

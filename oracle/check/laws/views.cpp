@@ -56,8 +56,13 @@ class ViewsLaw : public Law {
     lookAway(seen);
     const World& world = seen.world();
     const std::size_t most = seen.trace.preserve.empty() ? 4 : 8;  // small ones come to their limit
-    views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor),
-                            Pieces(world, {most}), PieceCheck(), GroundHashes(world), {}});
+    views_.emplace(Followed{Islands(world, isAnchor),
+                            IslandCheck(isAnchor),
+                            BeyondCheck(isAnchor),
+                            Pieces(world, {most}),
+                            PieceCheck(),
+                            GroundHashes(world),
+                            {}});
     const Islands& islands = views_->islands;
     if (streams_) views_->open.emplace(Islands(world, isAnchor, AtEdge::open), IslandCheck(isAnchor));
     auto wrong = streams_ ? said(views_->beyondCheck.begin(world, ground(seen), islands))

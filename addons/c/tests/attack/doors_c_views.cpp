@@ -101,27 +101,26 @@ void addBodies(Doors& door) {
         lgs_body_parts(bodyOf(followedInCBy(s), body), most, callback ? look : nullptr, &bound, e);
     return checked(status, body && callback && most >= 3 && most <= kMaxVerticesPerCell);
   });
-  door("lgs_put_as_it_lies", [](Scene& s, WorldOfC w, Given body, DoublePoint at, TurnOfC turn, Given placing,
-                                Out<lgs_error> e) {
-    FollowedC& f = followedInCBy(s);
-    const lgs_placing lying{{at.x, at.y}, turn.cosine, turn.sine};
-    const lgs_status status = lgs_put_as_it_lies(w(f), bodyOf(f, body), placing ? &lying : nullptr, e);
-    commitBoth(f, w);
-    return checked(status, w.which != WorldOfC::none && body && placing);
-  });
-  door("lgs_rock_save", [](Scene& s, Given body, DoublePoint at, Given rock, Space<std::uint8_t> bytes,
-                           Out<std::size_t> count) {
-    const lgs_rock moving{{{at.x, at.y}, 1, 0}, {at.y, at.x}, at.x};
-    return checked(lgs_rock_save(bodyOf(followedInCBy(s), body), rock ? &moving : nullptr, bytes.data(), bytes.size(),
-                                 count),
-                   body && rock && bytes.isThere());
-  });
+  door("lgs_put_as_it_lies",
+       [](Scene& s, WorldOfC w, Given body, DoublePoint at, TurnOfC turn, Given placing, Out<lgs_error> e) {
+         FollowedC& f = followedInCBy(s);
+         const lgs_placing lying{{at.x, at.y}, turn.cosine, turn.sine};
+         const lgs_status status = lgs_put_as_it_lies(w(f), bodyOf(f, body), placing ? &lying : nullptr, e);
+         commitBoth(f, w);
+         return checked(status, w.which != WorldOfC::none && body && placing);
+       });
+  door("lgs_rock_save",
+       [](Scene& s, Given body, DoublePoint at, Given rock, Space<std::uint8_t> bytes, Out<std::size_t> count) {
+         const lgs_rock moving{{{at.x, at.y}, 1, 0}, {at.y, at.x}, at.x};
+         return checked(
+             lgs_rock_save(bodyOf(followedInCBy(s), body), rock ? &moving : nullptr, bytes.data(), bytes.size(), count),
+             body && rock && bytes.isThere());
+       });
   door("lgs_rock_load", [](Scene& s, DamageOfC damage, Given bytes, Given out, Out<lgs_rock> rock) {
     FollowedC& f = followedInCBy(s);
     const std::vector<std::uint8_t> saved = damage.of(bytesOf(f.body.get()));
     lgs_body* body = nullptr;
-    const lgs_status status =
-        lgs_rock_load(bytes ? saved.data() : nullptr, saved.size(), out(body), rock);
+    const lgs_status status = lgs_rock_load(bytes ? saved.data() : nullptr, saved.size(), out(body), rock);
     EXPECT_EQ(status == LGS_OK, body != nullptr);
     if (body) f.body.reset(body);
     return checked(status, (bytes || saved.empty()) && out);

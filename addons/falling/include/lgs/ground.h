@@ -135,6 +135,7 @@ class Ground {
     isWindowWhole_ = makeLand(most) && unloadSome(most) && reloadInside(world_, window_, options_.shelf, most);
     host_.window(chunks);
     commit();
+    keepLand();
     return isWindowWhole_;
   }
 
@@ -357,6 +358,13 @@ class Ground {
     }
     return true;
   }
+  /// Where nothing else has happened since the last mark, it is made anew behind the land: so no undo takes that away.
+  void keepLand() {
+    const auto isOfNow = [&](const Fallen& f) { return f.took == now_ || f.settled == now_; };
+    if (newLand_.empty() || newLand_.back().second != now_ || std::ranges::any_of(fallen_, isOfNow)) return;
+    static_cast<void>(world_.forget(std::exchange(marks_.back(), world_.mark())));
+    std::erase_if(newLand_, [&](const auto& land) { return land.second == now_; });
+  }
   /// Whether no chunk is in memory out of the window. At first, when all may be, they leave at once.
   bool unloadSome(std::size_t& most) {
     const auto isSmall = [](std::int32_t min, std::int32_t max) { return std::int64_t{max} - min < 2'048; };
@@ -416,8 +424,8 @@ class Ground {
   std::size_t next_ = 0;               // which of them looks first whether it can settle
   bool looksAtAll_ = false;            // something may hang in the air that no update will name
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
-  CellRect leaving_ = window_;  // what is in memory and not in the window is in it
-  bool isWindowWhole_ = false;  // whether nothing is to come or go
+  CellRect leaving_ = window_;                          // what is in memory and not in the window is in it
+  bool isWindowWhole_ = false;                          // whether nothing is to come or go
   std::set<Cell> made_;                                 // chunks whose land was made
   std::vector<std::pair<Cell, std::int64_t>> newLand_;  // of these, which an undo may take away, and after which mark
   ChangedSquares squares_;                              // to be drawn

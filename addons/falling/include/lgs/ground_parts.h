@@ -149,8 +149,8 @@ class NoPhysics {
   bool dropGone() { return false; }  ///< forgets rocks whose bodies the game destroyed; whether there were any
   bool has(Handle handle) const { return rocks_.contains(handle); }  ///< whether it is that of a rock
   void window(const CellRect& /*cells*/) {}  ///< before the sync: of these chunks those are in memory that are loaded
-  void beforeStep() {}                                   ///< see Ground::step()
-  void afterStep() {}                                    ///< see Ground::step()
+  void beforeStep() {}                       ///< see Ground::step()
+  void afterStep() {}                        ///< see Ground::step()
 
  private:
   World& world_;

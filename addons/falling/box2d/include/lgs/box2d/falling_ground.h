@@ -195,7 +195,7 @@ class FallingGround {
   FallingOptions options_;
   std::vector<Falling> waiting_;  // for afterSync()
   std::vector<Falling> bodies_;
-  detail::KnownBodies known_;  // those of bodies_
+  detail::KnownBodies known_;    // those of bodies_
   std::vector<Falling> undone_;  // are ground again, and fall if that is done again
   std::uint64_t wentTo_ = 0;     // the version of the world at the last afterRollBack()
 };
