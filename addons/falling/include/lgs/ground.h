@@ -358,12 +358,15 @@ class Ground {
     }
     return true;
   }
-  /// Where nothing else has happened since the last mark, it is made anew behind the land: so no undo takes that away.
+  /// Where nothing else has happened since the last mark, it is made anew behind the land: so the undo of the next stroke
+  /// does not take that away.
   void keepLand() {
     const auto isOfNow = [&](const Fallen& f) { return f.took == now_ || f.settled == now_; };
     if (newLand_.empty() || newLand_.back().second != now_ || std::ranges::any_of(fallen_, isOfNow)) return;
     static_cast<void>(world_.forget(std::exchange(marks_.back(), world_.mark())));
-    std::erase_if(newLand_, [&](const auto& land) { return land.second == now_; });
+    for (auto& land : newLand_)
+      if (land.second == now_) --land.second;
+    std::erase_if(newLand_, [&](const auto& land) { return land.second < oldest_; });
   }
   /// Whether no chunk is in memory out of the window. At first, when all may be, they leave at once.
   bool unloadSome(std::size_t& most) {
