@@ -79,7 +79,7 @@ class GroundGame {
     return {.isAnchor = [](Block block, Cell) { return block == kRock; },
             .staying = [](Block block) { return block == kRock; },
             .land = hillsOn,
-            .chunksAtOnce = random_.chance(50) ? std::size_t{1} + random_.below(4) : 100};
+            .chunksAtOnce = random_.chance(50) ? 1 + random_.below(std::size_t{4}) : 100};
   }
   std::unique_ptr<box2d::Ground> made() {
     return std::make_unique<box2d::Ground>(options(), crowd_.physics, box2d::TerrainOptions{.merge = true});

@@ -9,9 +9,9 @@
 namespace lgs::detail {
 namespace {
 
-bool isAmong(std::span<const PlacedPolygon> polygons, const PlacedPolygon& like) {
+bool isAmong(std::span<const PlacedPolygon> polygons, const PlacedPolygon& like, bool withBlock) {
   return std::ranges::any_of(polygons, [&](const PlacedPolygon& p) {
-    return p.block == like.block && std::ranges::equal(p.vertices, like.vertices);
+    return (!withBlock || p.block == like.block) && std::ranges::equal(p.vertices, like.vertices);
   });
 }
 
@@ -33,14 +33,15 @@ BareWorld::BareWorld(const World& world, AtEdge atEdge) : isOpen_(atEdge == AtEd
   if (isOpen_) expect(world_.followCells(true).has_value());
 }
 
+// Whose edge is open is looked at for anchors, too, which are by block; else only vertices matter.
 void BareWorld::become(Cell cell, std::span<const PlacedPolygon> polygons) {
   world_.polygons(cell, held_);
   gone_.clear();
   come_.clear();
   for (const PlacedPolygon& p : held_)
-    if (!isAmong(polygons, p)) gone_.push_back(p.handle);
+    if (!isAmong(polygons, p, isOpen_)) gone_.push_back(p.handle);
   for (const PlacedPolygon& p : polygons)
-    if (!isAmong(held_, p)) come_.push_back({p.vertices, p.block});
+    if (!isAmong(held_, p, isOpen_)) come_.push_back({p.vertices, p.block});
   expect(world_.exchange(cell, gone_, come_).has_value());
 }
 
