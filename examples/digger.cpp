@@ -42,12 +42,13 @@ class Digger {
             {.isAnchor = [](lgs::Block block, lgs::Cell) { return isBedrock(block); },
              .staying = isBedrock,
              .land = hills,
+             .chunksAtOnce = 1,
              .undoSteps = 20,
              .follow = [this](const lgs::World&, const lgs::Changes& changes) { server_ ? publish(changes) : void(); }},
             physics_.world(), lgs::box2d::TerrainOptions{.cellSize = kMetres, .merge = true},
             lgs::box2d::FallingOptions{.density = [](lgs::Block b) { return b == kStone ? 2.5F : 1.5F; }}) {
     connect();
-    ground_.window(around(0));
+    while (!ground_.window(around(0))) continue;
     for (int k = 0; k < kBalls; ++k) physics_.addBall({(k - kBalls / 2) * 1.3, 34 * kMetres});
   }
 
@@ -77,7 +78,7 @@ class Digger {
   double otherSeconds() const { return otherSeconds_; }
   /// Whether the second world has the same ground, once all of it is in memory to be asked for.
   bool isInStep() {
-    ground_.window({{-128, -64}, {288, 95}});
+    while (!ground_.window({{-128, -64}, {288, 95}})) continue;
     for (int k = 0; k < 10 && !client_->isInStep(); ++k) heartbeat();
     return client_->isInStep();
   }

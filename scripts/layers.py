@@ -32,8 +32,8 @@ ROOMS = {
     "lib/outline": GROUND + ["lib/ground"],
     "lib/world": GROUND + ["lib/ground", "lib/outline"],
     "addons/c/include": [],
-    # The C interface has the views in it, as their objects are in the one library that it is.
-    "addons/c/src": ["lib/include", "lib/views/include", "lib/pieces/include", "addons/c/include"],
+    # The C interface has the views and falling ground in it, as their objects are in the one library that it is.
+    "addons/c/src": ["lib/include", "lib/views/include", "lib/pieces/include", "addons/falling/include", "addons/c/include"],
     "addons/debug/include": ["lib/include"],
     "addons/debug/src": ["lib/include", "addons/debug/include"],
     "lib/brush/include": ["lib/include"],

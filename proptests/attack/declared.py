@@ -107,7 +107,7 @@ def of_cpp():
 
 
 def of_c():
-    trees = syntax_trees(["lgs/lgs.h", "lgs/lgs_views.h"], ["addons/c/include"], "lgs_")
+    trees = syntax_trees(["lgs/lgs.h", "lgs/lgs_falling.h"], ["addons/c/include"], "lgs_")
     return [Function("C", tree["name"], arguments_of(tree)) for tree in trees if tree["kind"] == "FunctionDecl"]
 
 

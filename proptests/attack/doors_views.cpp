@@ -138,8 +138,9 @@ void addDoorsOfViews(Doors& door) {
     facts.doubleArea = Int128(high, low);
     return facts.area();
   });
-  door("Loops::Loops(const World&)",
-       [](Scene& s, bool isOther) { return Loops(isOther ? s.other : s.world).all().size(); });
+  door("Loops::Loops(const World&, AtEdge)", [](Scene& s, bool isOther, bool isOpen) {
+    return Loops(isOther ? s.other : s.world, isOpen ? AtEdge::open : AtEdge::holds).all().size();
+  });
   door("Loops::~Loops()", ended<&Followed::loops>);
   door("Loops::Loops(const Loops&)", copied<&Followed::loops>);
   door("Loops::operator=(const Loops&)", assignedToItself<&Followed::loops>);
@@ -161,10 +162,11 @@ void addDoorsOfViews(Doors& door) {
   door("Loops::visited() const", [](Scene& s) { return followedBy(s).loops->visited(); });
 
   door("IslandId::operator bool() const", [](Scene&, IslandId id) { return bool{id}; });
-  door("Islands::Islands(const World&, IsAnchor)", [](Scene& s, bool holds) {
+  door("Islands::Islands(const World&, IsAnchor, AtEdge)", [](Scene& s, bool holds, bool isOpen) {
     followedBy(s).commit();
     const IsAnchor isAnchor = [](Block, Cell) { return true; };
-    return Islands(followedBy(s).world, holds ? isAnchor : IsAnchor()).all().size();
+    const AtEdge atEdge = isOpen ? AtEdge::open : AtEdge::holds;
+    return Islands(followedBy(s).world, holds ? isAnchor : IsAnchor(), atEdge).all().size();
   });
   door("Islands::~Islands()", [](Scene& s) {
     followedBy(s).commit();

@@ -68,12 +68,26 @@ def complaints(functions):
             yield f"{' '.join(row)}: nothing attacks it, as there is no test {test}"
 
 
+def untried():
+    """Rows of the contract's table of what goes together that name no test, or one that is not there."""
+    text = (ROOT / "docs/contract.md").read_text(encoding="utf-8")
+    table = text.partition("## What goes together")[2].partition("\n## ")[0]
+    known = tests()
+    for row in re.findall(r"^\| (?![-|])(.*) \|$", table, re.M):
+        tried = re.findall(r"`([A-Z]\w+\.[A-Z]\w+|[\w/.]+/\w+\.[\w.]+)`", row.rpartition(" | ")[2])
+        if not tried:
+            yield f"docs/contract.md: nothing tries {row[:60]}"
+        for test in tried:
+            if test not in known and not (ROOT / test).is_file():
+                yield f"docs/contract.md: there is no {test}"
+
+
 def main():
     if declared.clang() is None:
         print("skipped: there is no clang++ to read the headers")
         return 77
     functions = declared.all_functions()
-    found = sorted(set(complaints(functions)))
+    found = sorted({*complaints(functions), *untried()})
     print("\n".join(found) or f"{len(functions)} public functions, each with what tries it")
     return bool(found)
 

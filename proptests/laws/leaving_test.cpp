@@ -13,7 +13,13 @@ TEST(LeavingByHand, VoidsTheHandlesOfThesePlaces) {
   World world;
   const PolygonHandle gone = place(world, {3, 4}, unitSquare()), stays = place(world, {40, 4}, unitSquare());
   EXPECT_TRUE(world.remove(gone));
+  EXPECT_EQ(world.forgetChunks(kEverywhere).error().code, ErrorCode::uncommitted);
+  EXPECT_EQ(world.followCells(true).error().code, ErrorCode::uncommitted);
   world.commit();
+  const Mark mark = world.mark();
+  EXPECT_EQ(world.forgetChunks(kEverywhere).error().code, ErrorCode::uncommitted);
+  EXPECT_EQ(world.followCells(true).error().code, ErrorCode::uncommitted);
+  EXPECT_TRUE(world.forget(mark));
   EXPECT_EQ(world.forgetChunks(kEverywhere), 1U);
   EXPECT_EQ(world.remove(gone).error().code, ErrorCode::staleHandle);
   EXPECT_EQ(world.cellOf(stays), (Cell{40, 4}));

@@ -38,6 +38,7 @@ TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
   EXPECT_EQ(world.at(at(40.5, 3.5)).cell, (Cell{40, 3}));
   EXPECT_EQ(world.at(at(40.5, 32)).where, Spot::Where::unloaded);
   EXPECT_EQ(world.at(at(40.5, 32.5)).where, Spot::Where::outside);
+  EXPECT_EQ(world.save([](std::span<const std::byte>) {}).error().code, ErrorCode::unloaded);
   // From above: what is loaded is hit, unless the way there leads through what is not.
   EXPECT_TRUE(must(world.rayCast(at(10, 40), at(10, 20))).segment);
   EXPECT_EQ(world.rayCast(at(40, 40), at(40, 20)).error().cell, (Cell{39, 31}));

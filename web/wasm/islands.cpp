@@ -92,11 +92,12 @@ Body bodyOf(std::span<const double> in) {
 }
 
 /// The anchors are in the input; with none of them nothing is an anchor.
-LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers) {
+LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers, std::int32_t isOpen) {
   IsAnchor isAnchor = numbers > 1 ? inputAnchors(numbers) : IsAnchor{};
   if (const auto done = bridge->world.followCells(true); !done)
     return refused(done.error(), static_cast<Followed*>(nullptr));
-  return new Followed{{.moment = bridge->moment}, Islands(bridge->world, std::move(isAnchor))};
+  return new Followed{{.moment = bridge->moment},
+                      Islands(bridge->world, std::move(isAnchor), isOpen != 0 ? AtEdge::open : AtEdge::holds)};
 }
 LGS_EXPORT("freeIslands") void freeIslands(Followed* followed) { delete followed; }
 

@@ -53,6 +53,48 @@ TEST_F(GroundOfBox2d, WhatIsCutOffFallsRestsAndIsGroundUntilItIsUndone) {
   EXPECT_EQ(rocks(), 1U) << "what settled since lies there as a body";
 }
 
+TEST_F(GroundOfBox2d, ARockThatTheGameDestroysIsNotTheNextBodyAtItsAddress) {
+  ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{1, 6}); }));
+  ASSERT_EQ(rocks(), 1U);
+  ground.forEachRock([&](auto rock, const auto&) { destroy(rock); });  // without forget()
+  const auto ball = addBody({3.5F, 2.5F}, Form::ball, 0.6F);
+  play(200);
+  EXPECT_EQ(rocks(), 0U);
+  EXPECT_TRUE(ground.world().isEmpty({3, 0})) << "the ball is no ground";
+  const std::size_t bodies = bodyCount();
+  ASSERT_TRUE(ground.undo());
+  EXPECT_EQ(bodyCount(), bodies);
+  EXPECT_NEAR(positionOf(ball).y, 0.35F, 0.05F);
+  EXPECT_FALSE(ground.world().isEmpty({3, 6}));
+}
+
+TEST_F(GroundOfBox2d, TwoTerrainsShareOnePhysicsWorld) {
+  World below;
+  ASSERT_TRUE(below.fill({{-40, -9}, {40, -9}}, below.shape(kUnitSquare).value(), 1));
+  below.commit();
+  box2d::Terrain cellar(physics, below);
+  const auto ball = addBody({-20.5F, -6}, Form::ball, 0.6F);
+  const auto rest = [&] {
+    for (int k = 0; k < 120; ++k) {
+      cellar.beforeStep();
+      play(1);
+      EXPECT_TRUE(cellar.afterStep().empty());
+    }
+  };
+  rest();
+  EXPECT_EQ(touchedCells(cellar, ball), std::vector<Cell>{(Cell{-21, -9})});
+  EXPECT_TRUE(touchedCells(ground.host().terrain(), ball).empty());
+  ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{-21, -1}); }));
+  rest();
+  EXPECT_NEAR(positionOf(ball).y, -7.65F, 0.05F) << "nothing was dug where it lies";
+  ASSERT_TRUE(below.clear({{-22, -9}, {-20, -9}}));
+  ASSERT_TRUE(cellar.commit(below));
+  rest();
+  EXPECT_LT(positionOf(ball).y, -10);
+  EXPECT_TRUE(ground.undo());
+  EXPECT_FALSE(cellar.sync(ground.world().changesOfRollBack())) << "those of the other world";
+}
+
 TEST_F(GroundOfBox2d, BodiesWaitWhereTheirGroundIsNotInMemory) {
   const auto ball = addBody({35.5F, 0.5F}, Form::ball, 0.6F);
   ASSERT_TRUE(ground.window({{-32, -32}, {31, 31}}));

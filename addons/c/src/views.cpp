@@ -1,5 +1,5 @@
 // Loops, islands, bodies, pieces and hashes.
-#include "inside.h"
+#include "body.h"
 
 #include <lgs/hashes.h>
 #include <lgs/islands.h>
@@ -12,17 +12,6 @@ using namespace lgs::c;
 
 struct lgs_islands {
   lgs::Islands view;
-};
-struct lgs_body {
-  explicit lgs_body(lgs::Body b) : body(std::move(b)) {
-    for (const lgs::BodyPolygon& p : body.polygons) {
-      firsts.push_back(vertices.size());
-      for (const lgs::LocalPoint v : p.vertices) vertices.push_back(toC(v));
-    }
-  }
-  lgs::Body body;
-  std::vector<std::size_t> firsts;        ///< of each polygon: where its vertices begin
-  std::vector<lgs_local_point> vertices;  ///< of all polygons, one after the other
 };
 struct lgs_foreseen {
   lgs::Foreseen would;
@@ -81,6 +70,16 @@ std::span<const lgs::Piece> piecesOf(const lgs_pieces& pieces, lgs_cell cell, st
   return part == LGS_SOLID ? pieces.view.solidPieces(fromC(cell)) : pieces.view.freePieces(fromC(cell));
 }
 
+lgs_status newIslands(const lgs_world* world, lgs_anchor_fn is_anchor, void* user, lgs::AtEdge atEdge,
+                      lgs_islands** islands) {
+  if (!world || !islands) return LGS_BAD_ARGUMENT;
+  lgs::IsAnchor isAnchor;
+  if (is_anchor)
+    isAnchor = [is_anchor, user](lgs::Block block, lgs::Cell cell) { return is_anchor(user, block, toC(cell)) != 0; };
+  *islands = new lgs_islands{lgs::Islands(world->world, std::move(isAnchor), atEdge)};
+  return LGS_OK;
+}
+
 /// Without the lists.
 lgs::Changes versionsOf(const lgs_changes& changes) {
   lgs::Changes versions;
@@ -93,12 +92,12 @@ lgs::Changes versionsOf(const lgs_changes& changes) {
 
 lgs_status lgs_islands_new(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
                            lgs_islands** islands) noexcept {
-  if (!world || !islands) return LGS_BAD_ARGUMENT;
-  lgs::IsAnchor isAnchor;
-  if (is_anchor)
-    isAnchor = [is_anchor, user](lgs::Block block, lgs::Cell cell) { return is_anchor(user, block, toC(cell)) != 0; };
-  *islands = new lgs_islands{lgs::Islands(world->world, std::move(isAnchor))};
-  return LGS_OK;
+  return newIslands(world, is_anchor, user, lgs::AtEdge::holds, islands);
+}
+
+lgs_status lgs_islands_new_open(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
+                                lgs_islands** islands) noexcept {
+  return newIslands(world, is_anchor, user, lgs::AtEdge::open, islands);
 }
 
 lgs_status lgs_islands_copy(const lgs_islands* islands, lgs_islands** copy) noexcept {
@@ -202,10 +201,13 @@ lgs_status lgs_take_apart(lgs_world* world, const lgs_islands* islands, lgs_isla
   return LGS_OK;
 }
 
-lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_error* error) noexcept {
-  if (!world || !body) return refuse(LGS_BAD_ARGUMENT, error);
+lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_polygon_id* polygons, size_t capacity,
+                   lgs_error* error) noexcept {
+  if (!world || !body || !isArray(polygons, capacity)) return refuse(LGS_BAD_ARGUMENT, error);
   const auto done = lgs::put(world->world, body->body, fromC(cell));
-  return done ? LGS_OK : refuse(done.error(), error);
+  if (!done) return refuse(done.error(), error);
+  for (std::size_t k = 0; k < std::min(done->size(), capacity); ++k) polygons[k] = toC((*done)[k]);
+  return LGS_OK;
 }
 
 lgs_status lgs_body_get(const lgs_body* body, lgs_body_facts* facts) noexcept {

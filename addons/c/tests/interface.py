@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 LISTED = Path(__file__).resolve().parent / "interface.txt"
-HEADERS = ["lgs/c/values.h", "lgs/c/world.h", "lgs/c/edit.h", "lgs/c/read.h", "lgs/lgs_views.h", "lgs/lgs_engine.h"]
+HEADERS = ["lgs/c/values.h", "lgs/c/world.h", "lgs/c/edit.h", "lgs/c/read.h", "lgs/lgs_views.h", "lgs/lgs_falling.h", "lgs/lgs_engine.h"]
 STRUCT = re.compile(r"typedef struct (\w+) \{ (.*); \}")
 
 

@@ -114,6 +114,8 @@ static void bodies(void) {
   lgs_body* body = NULL;
   lgs_body_facts facts;
   lgs_body_polygon polygon;
+  lgs_polygon_id put;
+  lgs_polygon held;
   lgs_changes changes;
   lgs_error error;
   size_t count = 0;
@@ -142,10 +144,12 @@ static void bodies(void) {
   CHECK(polygon.cell.i == 1 && polygon.cell.j == 0 && polygon.vertices[2].x == U && polygon.vertices[2].y == U);
   CHECK(lgs_body_polygon_at(body, 2, &polygon) == LGS_BAD_ARGUMENT);
   CHECK(lgs_body_polygon_at(NULL, 0, &polygon) == LGS_BAD_ARGUMENT);
-  REFUSED(LGS_OVERLAP, lgs_put(world, body, cellAt(0, 0), &error));
+  REFUSED(LGS_OVERLAP, lgs_put(world, body, cellAt(0, 0), NULL, 0, &error));
   CHECK(error.index == 0);
-  REFUSED(LGS_BAD_ARGUMENT, lgs_put(world, NULL, cellAt(0, 0), &error));
-  CHECK(lgs_put(world, body, cellAt(2, 1), NULL) == LGS_OK); /* on the floor */
+  REFUSED(LGS_BAD_ARGUMENT, lgs_put(world, NULL, cellAt(0, 0), NULL, 0, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_put(world, body, cellAt(2, 1), NULL, 1, &error));
+  CHECK(lgs_put(world, body, cellAt(2, 1), &put, 1, NULL) == LGS_OK); /* on the floor */
+  CHECK(lgs_polygons_in(world, cellAt(2, 1), &held, 1, &count) == LGS_OK && held.id.serial == put.serial);
   CHECK(lgs_commit(world, &changes) == LGS_OK && lgs_islands_update(view, world, &changes) == LGS_OK);
   CHECK(lgs_islands_ids(view, LGS_ALL, &loose, 1, &count) == LGS_OK && count == 1);
   lgs_body_free(body);

@@ -9,8 +9,7 @@ namespace lgs::detail {
 namespace {
 
 template <class IsIn>
-Expected<World> worldOfThose(const Body& body, IsIn&& isIn) {
-  World world;
+Expected<World> worldOfThose(const Body& body, World world, IsIn&& isIn) {
   for (std::size_t k = 0; k < body.polygons.size(); ++k) {
     const BodyPolygon& p = body.polygons[k];
     if (!isIn(p.block)) continue;
@@ -35,11 +34,11 @@ std::vector<Block> blocksOf(const Body& body) {
 }
 
 Expected<World> worldOf(const Body& body, Block block) {
-  return worldOfThose(body, [block](Block b) { return b == block; });
+  return worldOfThose(body, World(), [block](Block b) { return b == block; });
 }
 
 Expected<World> worldOf(const Body& body) {
-  return worldOfThose(body, [](Block /*any*/) { return true; });
+  return worldOfThose(body, World([](Block a, Block b) { return a != b; }), [](Block /*any*/) { return true; });
 }
 
 }  // namespace lgs::detail

@@ -13,7 +13,7 @@ std::vector<Block> blocksOf(const Body& body);
 /// The polygons that have a block, committed: the origin of the body is the corner of cell (0, 0).
 Expected<World> worldOf(const Body& body, Block block);
 
-/// All polygons.
+/// All polygons; what lies between two blocks is kept.
 Expected<World> worldOf(const Body& body);
 
 }  // namespace lgs::detail

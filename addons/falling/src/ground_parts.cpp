@@ -158,6 +158,11 @@ std::vector<Cell> chunksAround(const CellRect& cells) {
   return corners;
 }
 
+CellRect boxOf(const CellRect& a, const CellRect& b) {
+  return {{std::min(a.min.i, b.min.i), std::min(a.min.j, b.min.j)},
+          {std::max(a.max.i, b.max.i), std::max(a.max.j, b.max.j)}};
+}
+
 void unloadOutside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept {
   const auto [min, max] = chunks;
   for (const CellRect& cells : {CellRect{{-kMaxCell, -kMaxCell}, {kMaxCell, min.j - 1}},
@@ -167,10 +172,12 @@ void unloadOutside(World& world, const CellRect& chunks, const Shelf& shelf) noe
     if (!isEmpty(cells)) static_cast<void>(world.unload(cells, shelf.put));
 }
 
-bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept {
+bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf, std::size_t& most) noexcept {
   while (const auto cell = world.firstUnloaded(chunks)) {
+    if (most == 0) return false;
     const auto bytes = shelf.get(chunkAround(*cell).min);
     if (!bytes || !world.reload(*bytes)) return false;
+    --most;
   }
   return true;
 }

@@ -4,6 +4,7 @@
 #include <lgs/falling.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace lgs {
@@ -15,45 +16,48 @@ Point placed(Point p, const Placing& placing) {
                        placing.origin.y + (placing.sine * x + placing.cosine * y)});
 }
 
-/// The loops of a world's outline, turned and moved: holes run the other way around, so their count is 0.
-Region regionOf(const World& world, const Placing& placing) {
+/// What a block of a body covers.
+struct Covered {
+  Block block = 0;
   Region region;
-  std::vector<bool> seen(world.maxSegmentId() + std::size_t{1});
-  for (const SegmentId start : world.segments()) {
-    if (seen[start.value]) continue;
+};
+
+/// The outline of each block by itself, turned and moved: holes run the other way around, so their count is 0. In a world
+/// that keeps what lies between two blocks both have the same vertices there: so rounding leaves no gap.
+std::vector<Covered> coveredBy(const World& world, const Placing& placing) {
+  std::vector<Segment> edges;
+  for (const SegmentId id : world.segments()) edges.push_back(*world.segment(id));
+  const auto key = [](const Segment& s) { return std::tie(s.block, s.start); };
+  std::ranges::sort(edges, {}, key);
+  std::vector<bool> isTaken(edges.size());
+  std::vector<Covered> covered;
+  for (std::size_t first = 0; first < edges.size(); ++first) {
+    if (isTaken[first]) continue;
+    const Block block = edges[first].block;
+    if (covered.empty() || covered.back().block != block) covered.push_back({block, {}});
     Ring ring;
-    SegmentId at = start;
-    do {
-      const Segment s = *world.segment(at);
-      seen[at.value] = true;
-      ring.push_back(placed(s.start, placing));
-      at = s.successor;
-    } while (at != start);
-    region.rings.push_back(std::move(ring));
+    std::size_t at = first;
+    do {  // as many begin at a point as end there, so one of them goes on
+      isTaken[at] = true;
+      ring.push_back(placed(edges[at].start, placing));
+      const Point end = edges[at].end;
+      if (end == edges[first].start) break;
+      at = static_cast<std::size_t>(std::ranges::lower_bound(edges, std::tie(block, end), {}, key) - edges.begin());
+      while (isTaken[at]) ++at;
+    } while (true);
+    covered.back().region.rings.push_back(std::move(ring));
   }
-  return region;
+  return covered;
 }
 
 }  // namespace
 
-// Each block by itself, and then the whole with the first of them: where an edge is cut at another block's vertex, and
-// was not for its own, rounding leaves a gap of a unit.
 Expected<void> putAsItLies(World& world, const Body& body, const Placing& placing) noexcept {
-  const auto all = detail::worldOf(body);
-  if (!all) return tl::unexpected(all.error());
-  const std::vector<Block> blocks = detail::blocksOf(body);
+  const auto blocks = detail::worldOf(body);
+  if (!blocks) return tl::unexpected(blocks.error());
   Transaction group = world.edit();
-  const auto fill = [&](const World& part, Block block) {
-    return paint(world, regionOf(part, placing), block, PaintMode::fill);
-  };
-  for (const Block block : blocks) {
-    const auto part = detail::worldOf(body, block);
-    if (!part) return tl::unexpected(part.error());
-    if (const auto done = fill(*part, block); !done) return tl::unexpected(done.error());
-  }
-  if (blocks.size() > 1) {
-    if (const auto done = fill(*all, blocks.front()); !done) return tl::unexpected(done.error());
-  }
+  for (const auto& [block, region] : coveredBy(*blocks, placing))
+    if (const auto done = paint(world, region, block, PaintMode::fill); !done) return tl::unexpected(done.error());
   group.keep();
   return {};
 }

@@ -148,7 +148,7 @@ LGS_LAW(Falling, AnyTurnKeepsTheAreaButForRounding, 200, (const PlainTrace& trac
   playAll(trace, player);
   constexpr Block kGround = 1'000'000;
   World world;
-  for (std::int32_t i = -8; i <= 8; ++i) place(world, {i, 20}, unitSquare(), kGround);
+  for (std::int32_t i = -8; i <= 8; ++i) place(world, {i, 200}, unitSquare(), kGround);  // where no body comes to lie
   const double angle = 0.001 * static_cast<double>(chance.below(6'283));
   const Placing placing{{0.37, 0.0001 * static_cast<double>(chance.below(10'000))}, std::cos(angle), std::sin(angle)};
   const Extent before = extentOf(player.world());
@@ -177,9 +177,12 @@ TEST(FallingByHand, WhatIsRefusedChangesNothing) {
   World world;
   Body body;
   body.polygons.push_back({{0, 0}, 1, {kUnitSquare.begin(), kUnitSquare.end()}});
+  body.polygons.push_back({{0, 1}, 2, {kUnitSquare.begin(), kUnitSquare.end()}});
   body.polygons.push_back({{kMaxCell, 0}, 2, {kUnitSquare.begin(), kUnitSquare.end()}});
   const auto tooWide = refusal(putAsItLies(world, body, {}));
   EXPECT_EQ(tooWide.code, ErrorCode::outOfReach);
+  EXPECT_TRUE(world.isEmpty({0, 0})) << "the first block would fit";
+  body.polygons.pop_back();
   body.polygons.back() = {{0, 0}, 2, {kUnitSquare.begin(), kUnitSquare.end()}};
   EXPECT_EQ(putAsItLies(world, body, {}).error().index, 1);
   EXPECT_EQ(convexParts(body).value().size(), 2U) << "each block by itself fits";

@@ -9,9 +9,10 @@
 namespace lgs::detail {
 namespace {
 
-bool isAmong(std::span<const PlacedPolygon> polygons, std::span<const LocalPoint> vertices) {
-  return std::ranges::any_of(polygons,
-                             [&](const PlacedPolygon& p) { return std::ranges::equal(p.vertices, vertices); });
+bool isAmong(std::span<const PlacedPolygon> polygons, const PlacedPolygon& like, bool withBlock) {
+  return std::ranges::any_of(polygons, [&](const PlacedPolygon& p) {
+    return (!withBlock || p.block == like.block) && std::ranges::equal(p.vertices, like.vertices);
+  });
 }
 
 /// What the other world holds fits here, too. Only where polygons were placed and taken back 2^28 times in one cell
@@ -23,11 +24,25 @@ void expect(bool done) {
 
 }  // namespace
 
-BareWorld::BareWorld(const World& world) {
-  for (const CellRect& chunk : unloadedChunks(world)) fillUnknown(chunk);
+BareWorld::BareWorld(const World& world, AtEdge atEdge) : isOpen_(atEdge == AtEdge::open) {
+  if (!isOpen_)
+    for (const CellRect& chunk : unloadedChunks(world)) fillUnknown(chunk);
   world.forEachPolygon(
       [this](Cell cell, const PlacedPolygon& p) { expect(world_.add(cell, p.vertices, p.block).has_value()); });
   world_.commit();
+  if (isOpen_) expect(world_.followCells(true).has_value());
+}
+
+// Whose edge is open is looked at for anchors, too, which are by block; else only vertices matter.
+void BareWorld::become(Cell cell, std::span<const PlacedPolygon> polygons) {
+  world_.polygons(cell, held_);
+  gone_.clear();
+  come_.clear();
+  for (const PlacedPolygon& p : held_)
+    if (!isAmong(polygons, p, isOpen_)) gone_.push_back(p.handle);
+  for (const PlacedPolygon& p : polygons)
+    if (!isAmong(held_, p, isOpen_)) come_.push_back({p.vertices, p.block});
+  expect(world_.exchange(cell, gone_, come_).has_value());
 }
 
 void BareWorld::fillUnknown(const CellRect& chunk) {
@@ -55,23 +70,21 @@ const Changes& BareWorld::follow(const World& world) {
   std::vector<CellRect> left;
   for (const CellChange& change : world.cellChanges()) {
     const CellRect chunk = chunkWith(change.cell);
-    if (isUnloaded(world, change.cell)) {
+    const bool isAway = isUnloaded(world, change.cell);
+    if (isOpen_) {
+      become(change.cell, isAway ? std::span<const PlacedPolygon>() : change.now);
+      continue;
+    }
+    if (isAway) {
       if (left.empty() || left.back().min != chunk.min) left.push_back(chunk);
       continue;
     }
     know(chunk);
     dropForgotten(world, change.cell);
-    world_.polygons(change.cell, held_);
-    gone_.clear();
-    come_.clear();
-    for (const PlacedPolygon& p : held_)
-      if (!isAmong(change.now, p.vertices)) gone_.push_back(p.handle);
-    for (const PlacedPolygon& p : change.now)
-      if (!isAmong(held_, p.vertices)) come_.push_back({p.vertices, p.block});
-    expect(world_.exchange(change.cell, gone_, come_).has_value());
+    become(change.cell, change.now);
   }
   for (const CellRect& chunk : left) expect(world_.unload(chunk, {}).has_value());
-  if (world.changesOfRollBack().after == world.version())  // it rolled back, and no commit followed
+  if (!isOpen_ && world.changesOfRollBack().after == world.version())  // it rolled back, and no commit followed
     for (const CellRect& chunk : unloadedChunks(world)) fillUnknown(chunk);
   return world_.commit();
 }

@@ -1,11 +1,13 @@
-// The ground of a world with a preserve relation once more, in a world without one. The same chunks are unloaded. What
-// those hold that were unloaded before it began is not known here, nor what a roll-back made of unloaded ground: they
-// count as solid.
+// The ground of a world once more, without its preserve relation. Either the same chunks are unloaded: what those hold
+// that were unloaded before it began is not known here, nor what a roll-back made of unloaded ground, and they count as
+// solid. Or all is loaded, and what is unloaded there counts as empty.
 #pragma once
 
+#include <lgs/unloaded.h>
 #include <lgs/world.h>
 
 #include <set>
+#include <span>
 #include <vector>
 
 namespace lgs::detail {
@@ -13,7 +15,7 @@ namespace lgs::detail {
 class BareWorld {
  public:
   /// Takes over all polygons and commits them.
-  explicit BareWorld(const World& world);
+  BareWorld(const World& world, AtEdge atEdge);
 
   /// Makes what the last commit or roll-back of the followed world changed, and commits it.
   const Changes& follow(const World& world);
@@ -21,11 +23,13 @@ class BareWorld {
   const World& world() const { return world_; }
 
  private:
+  void become(Cell cell, std::span<const PlacedPolygon> polygons);
   void fillUnknown(const CellRect& chunk);
   void know(const CellRect& chunk);
   void dropForgotten(const World& world, Cell cell);
 
   World world_;
+  bool isOpen_;
   std::set<Cell> unknown_;           // lower-left cells of unloaded chunks that count as solid
   std::vector<PlacedPolygon> held_;  // working memory
   std::vector<PolygonHandle> gone_;

@@ -8,6 +8,18 @@
 
 namespace lgs::detail {
 
+namespace {
+
+/// Whether a cell is one square now.
+bool isWhole(const CellChange& change) {
+  if (change.now.size() != 1 || change.now.front().vertices.size() != 4) return false;
+  return std::ranges::all_of(change.now.front().vertices, [](LocalPoint v) {
+    return (v.x == 0 || v.x == kUnitsPerCell) && (v.y == 0 || v.y == kUnitsPerCell);
+  });
+}
+
+}  // namespace
+
 void IslandView::load(const World& world, const Loops& loops) {
   for (const CellRect& chunk : unloadedChunks(world)) away_.insert(chunk.min);
   std::vector<LoopId> outers;
@@ -197,8 +209,15 @@ void IslandView::uniteBeyond(const World& world, const Loops& loops, Kin& kin) c
     return facts && !facts->isHole();
   };
   for (const LoopId id : changed.closed) kin.isBeyond(id);
-  for (const std::size_t k : came_)
-    for (const PlacedPolygon& p : world.cellChanges()[k].now) kin.isBeyond(world.cellChanges()[k].cell, p.vertices);
+  const CellChange* last = nullptr;
+  for (const std::size_t k : came_) {
+    const CellChange& change = world.cellChanges()[k];
+    const bool goesOn =
+        last && change.cell == Cell{last->cell.i + 1, last->cell.j} && isWhole(*last) && isWhole(change);
+    last = &change;
+    if (goesOn) continue;  // it is of the island of the cell beside it
+    for (const PlacedPolygon& p : change.now) kin.isBeyond(change.cell, p.vertices);
+  }
   for (const LoopId id : open_) kin.isBeyond(id);
   for (const LoopId id : wasOpen_)
     if (isOuter(id)) kin.isBeyond(id);

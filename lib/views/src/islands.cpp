@@ -8,14 +8,20 @@
 namespace lgs {
 
 struct Islands::Impl {
-  Impl(const World& world, IsAnchor isAnchor) : loops(world), view(std::move(isAnchor)) { view.load(world, loops); }
+  Impl(const World& world, IsAnchor isAnchor, AtEdge edge)
+      : atEdge(edge), loops(world, edge), view(std::move(isAnchor)) {
+    view.load(ground(world), loops);
+  }
+  /// The world that the view looks at: in the second one nothing is unloaded.
+  const World& ground(const World& world) const { return atEdge == AtEdge::open ? loops.outline(world) : world; }
 
+  AtEdge atEdge;
   Loops loops;
   detail::IslandView view;
 };
 
-Islands::Islands(const World& world, IsAnchor isAnchor) noexcept
-    : impl_(std::make_unique<Impl>(world, std::move(isAnchor))) {}
+Islands::Islands(const World& world, IsAnchor isAnchor, AtEdge atEdge) noexcept
+    : impl_(std::make_unique<Impl>(world, std::move(isAnchor), atEdge)) {}
 Islands::~Islands() noexcept = default;
 Islands::Islands(const Islands& other) noexcept : impl_(std::make_unique<Impl>(*other.impl_)) {}
 Islands& Islands::operator=(const Islands& other) noexcept {
@@ -29,7 +35,7 @@ Islands& Islands::operator=(Islands&&) noexcept = default;
 bool Islands::update(const World& world, const Changes& changes) noexcept {
   if (!world.followsCells()) return false;
   if (!impl_->loops.update(world, changes)) return false;
-  impl_->view.update(world, impl_->loops);
+  impl_->view.update(impl_->ground(world), impl_->loops);
   return true;
 }
 
@@ -40,7 +46,7 @@ std::optional<IslandFacts> Islands::island(IslandId id) const noexcept {
 }
 IslandId Islands::of(const World& world, PolygonHandle polygon) const noexcept {
   const auto found = world.polygon(polygon);
-  if (!found) return found.error().code == ErrorCode::unloaded ? kBeyond : IslandId{};
+  if (!found) return found.error().code == ErrorCode::unloaded && impl_->atEdge == AtEdge::holds ? kBeyond : IslandId{};
   detail::Locator locator(impl_->loops.outline(world), impl_->loops);
   return impl_->view.ofLocated(locator.ofPolygon(*world.cellOf(polygon), found->vertices));
 }

@@ -9,12 +9,12 @@ namespace lgs {
 
 struct Loops::Impl {
   detail::LoopView view;
-  std::optional<detail::BareWorld> bare;  ///< under a preserve relation
+  std::optional<detail::BareWorld> bare;  ///< under a preserve relation, or where the edge of memory is open
   std::uint64_t version = 0;
 };
 
-Loops::Loops(const World& world) noexcept : impl_(std::make_unique<Impl>()) {
-  if (world.preserveRelation()) impl_->bare.emplace(world);
+Loops::Loops(const World& world, AtEdge atEdge) noexcept : impl_(std::make_unique<Impl>()) {
+  if (world.preserveRelation() || atEdge == AtEdge::open) impl_->bare.emplace(world, atEdge);
   impl_->view.load(outline(world));
   impl_->version = world.version();
 }

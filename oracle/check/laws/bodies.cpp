@@ -21,7 +21,10 @@ std::string wrongRefusal(World world, const Body& body) {
   if (!world.add(cell, std::span<const LocalPoint>(last.vertices), last.block)) return "what was taken is still there";
   const World before = world;
   const auto placed = put(world, body, body.origin);
-  if (placed || placed.error().code != ErrorCode::overlap || placed.error().index + 1 != std::ssize(body.polygons))
+  // A cell that is full already says so first.
+  const bool isRefused =
+      !placed && (placed.error().code == ErrorCode::overlap || placed.error().code == ErrorCode::capacity);
+  if (!isRefused || placed.error().index + 1 != std::ssize(body.polygons))
     return "a body is put where something is in the way of its last polygon, or another one is blamed";
   std::string left = differenceOf(before, world);
   return left.empty() ? "" : "a body that does not fit leaves " + left;

@@ -1,5 +1,5 @@
 // Law 15: views of loops, islands, pieces and hashes that follow the world are their full recompute. Where chunks leave
-// memory islands are held against the ground with what is unloaded.
+// memory islands are held against the ground with what is unloaded, and those that end there against what is loaded.
 #include "oracle/check/laws/list.h"
 #include "oracle/views/beyond_check.h"
 #include "oracle/views/ground_hashes.h"
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -55,11 +56,18 @@ class ViewsLaw : public Law {
     lookAway(seen);
     const World& world = seen.world();
     const std::size_t most = seen.trace.preserve.empty() ? 4 : 8;  // small ones come to their limit
-    views_.emplace(Followed{Islands(world, isAnchor), IslandCheck(isAnchor), BeyondCheck(isAnchor),
-                            Pieces(world, {most}), PieceCheck(), GroundHashes(world)});
+    views_.emplace(Followed{Islands(world, isAnchor),
+                            IslandCheck(isAnchor),
+                            BeyondCheck(isAnchor),
+                            Pieces(world, {most}),
+                            PieceCheck(),
+                            GroundHashes(world),
+                            {}});
     const Islands& islands = views_->islands;
+    if (streams_) views_->open.emplace(Islands(world, isAnchor, AtEdge::open), IslandCheck(isAnchor));
     auto wrong = streams_ ? said(views_->beyondCheck.begin(world, ground(seen), islands))
                           : views_->islandCheck.begin(world, islands);
+    if (!wrong && views_->open) wrong = views_->open->second.begin(world, views_->open->first);
     if (!wrong) wrong = views_->pieceCheck.begin(world, views_->pieces);
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
   }
@@ -104,9 +112,10 @@ class ViewsLaw : public Law {
 
   Found look(Seen& seen) {
     const World& world = seen.world();
-    auto& [islands, islandCheck, beyondCheck, pieces, pieceCheck, hashes] = *views_;
+    auto& [islands, islandCheck, beyondCheck, pieces, pieceCheck, hashes, open] = *views_;
     const Changes& changes = seen.library->changes();
-    if (!islands.update(world, changes) || !pieces.update(world, changes) || !hashes.update(world, changes))
+    if (!islands.update(world, changes) || !pieces.update(world, changes) || !hashes.update(world, changes) ||
+        (open && !open->first.update(world, changes)))
       return seen.mismatch(Mismatch::Kind::views, "the views refuse what was committed");
     const bool isOther = changes.before != changes.after;
     if (isOther && (islands.update(world, changes) || pieces.update(world, changes) || hashes.update(world, changes)))
@@ -117,6 +126,7 @@ class ViewsLaw : public Law {
     const WholeGround whole = ground(seen);
     auto wrong =
         streams_ ? said(beyondCheck.update(world, whole, islands, !hasReturned_)) : islandCheck.update(world, islands);
+    if (!wrong && open) wrong = open->second.update(world, open->first);
     if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.changed());
     if (!wrong) wrong = faultOf(hashes, world);
     return wrong ? Found(seen.mismatch(Mismatch::Kind::views, std::move(*wrong))) : std::nullopt;
@@ -129,6 +139,8 @@ class ViewsLaw : public Law {
     Pieces pieces;
     PieceCheck pieceCheck;
     GroundHashes hashes;
+    /// With an edge of memory that is open: then it is what a look at the loaded ground gives.
+    std::optional<std::pair<Islands, IslandCheck>> open;
   };
   bool streams_ = false;  // chunks may leave memory
   bool isAsked_ = false;

@@ -4,7 +4,7 @@ import { LgsError } from './error.js'
 
 /** Addresses are numbers. Only lgs-islands.wasm has these. */
 export interface IslandCalls {
-  islands(world: number, numbers: number): number
+  islands(world: number, numbers: number, isOpen: number): number
   freeIslands(islands: number): void
   updateIslands(islands: number, world: number): number
   areIslandsOfNow(islands: number, world: number): number

@@ -10,6 +10,10 @@ export interface Anchors {
   readonly cells?: readonly CellRect[]
 }
 
+/** What is at the edge of memory: with 'holds' ground of which nothing more is known, so what reaches it is of the island
+ *  `beyond`; with 'open' nothing, so an island ends there, and only anchors in memory hold it. */
+export type AtEdge = 'holds' | 'open'
+
 /** What is known of an island. */
 export interface Island {
   readonly id: IslandId

@@ -3,7 +3,7 @@ import { bad, int32, options, rect, reals, uint32 } from './check.js'
 import { LgsError } from './error.js'
 import { Follower, type Place } from './follower.js'
 import { bodiesOf, placeIn, putPolygons } from './ground-body.js'
-import type { Anchors, Foreseen, GroundBody, Island, IslandChanges, IslandId } from './island-types.js'
+import type { Anchors, AtEdge, Foreseen, GroundBody, Island, IslandChanges, IslandId } from './island-types.js'
 import type { Changes, PolygonId, World } from './types.js'
 
 function numbersOf({ blocks = [], cells = [] }: Anchors): number[] {
@@ -22,9 +22,11 @@ export const beyond: IslandId = 2 ** 32 - 1
  */
 export class Islands extends Follower {
   /** Looks at everything once. Without anchors nothing holds, and all that an update names is loose. */
-  constructor(world: World, anchors: Anchors = {}) {
+  constructor(world: World, anchors: Anchors = {}, atEdge: AtEdge = 'holds') {
     const numbers = numbersOf(options('anchors', ['blocks', 'cells'], anchors))
-    super(world, 'freeIslands', (call, engine, address) => call.islands(address, engine.put(numbers)))
+    if (atEdge !== 'holds' && atEdge !== 'open') throw bad('atEdge', "'holds' or 'open'", atEdge)
+    const isOpen = atEdge === 'open' ? 1 : 0
+    super(world, 'freeIslands', (call, engine, address) => call.islands(address, engine.put(numbers), isOpen))
   }
 
   #isTrying = false

@@ -143,11 +143,17 @@ test('what reaches the edge of memory is beyond, and never loose', () => {
   world.fill({ i0: 20, j0: 3, i1: 40, j1: 3 }, square, 1)  // from chunk to chunk
   world.fill({ i0: 3, j0: 3, i1: 4, j1: 3 }, square, 1)
   const [{ id }] = (world.commit(), world.polygonsAt(35, 3))
-  const islands = new Islands(world, { blocks: [9] })
-  const update = () => islands.update(world.commit())
+  const islands = new Islands(world, { blocks: [9] }), open = new Islands(world, { blocks: [9] }, 'open')
+  refuses('bad-argument', () => new Islands(world, {}, 'shut'))
+  const update = () => {
+    const changes = world.commit()
+    for (const view of [islands, open]) view.update(changes)
+  }
   assert.equal(islands.all().length, 2)
   const [{ bytes }] = world.unload(chunkAt(0, 0))
   update()
+  assert.equal(open.island(open.loose()[0]).area, 9, 'it ends at the edge of memory')
+  assert.equal(open.of(id), open.all()[0])
   assert.deepEqual(islands.all(), [], 'one is away, the other leads there')
   assert.equal(islands.of(id), beyond)
   assert.deepEqual([islands.loose(), islands.island(beyond)], [[], null])
@@ -160,7 +166,8 @@ test('what reaches the edge of memory is beyond, and never loose', () => {
   world.reload(bytes)
   update()
   assert.equal(islands.loose().length, 2, 'what came in is told')
-  for (const view of [islands, anew]) view.free()
+  assert.equal(open.all().length, 3)
+  for (const view of [islands, open, anew]) view.free()
   world.free()
 })
 

@@ -92,6 +92,10 @@ typedef struct lgs_islands lgs_islands;
  * for as long as the view and its copies live. Cost: in proportion to the world. */
 LGS_API lgs_status lgs_islands_new(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
                                    lgs_islands** islands) LGS_NOTHROW;
+/* The same, but unloaded ground counts as empty: an island ends at the edge of memory, and only anchors in memory hold
+ * it. It keeps a second world. */
+LGS_API lgs_status lgs_islands_new_open(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
+                                        lgs_islands** islands) LGS_NOTHROW;
 LGS_API lgs_status lgs_islands_copy(const lgs_islands* islands, lgs_islands** copy) LGS_NOTHROW;
 LGS_API void lgs_islands_free(lgs_islands* islands) LGS_NOTHROW;
 
@@ -159,9 +163,11 @@ LGS_API lgs_status lgs_take(lgs_world* world, const lgs_islands* islands, lgs_is
  * `capacity`; then nothing changes. */
 LGS_API lgs_status lgs_take_apart(lgs_world* world, const lgs_islands* islands, lgs_island_id island, lgs_body** bodies,
                                   size_t capacity, size_t* count, lgs_error* error) LGS_NOTHROW;
-/* Sets a body into the ground, so that its origin is this cell: one edit, or nothing. Refused: as by lgs_add_points(),
- * for the first polygon that does not fit; `index` names which. The body stays as it is. */
-LGS_API lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_error* error) LGS_NOTHROW;
+/* Sets a body into the ground, so that its origin is this cell: one edit, or nothing. `polygons` receives the ids of its
+ * polygons, in their order, or as many as it has room for. Refused: as by lgs_add_points(), for the first polygon that
+ * does not fit; `index` names which. The body stays as it is. */
+LGS_API lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_polygon_id* polygons,
+                           size_t capacity, lgs_error* error) LGS_NOTHROW;
 LGS_API lgs_status lgs_body_get(const lgs_body* body, lgs_body_facts* facts) LGS_NOTHROW;
 /* Refused: LGS_BAD_ARGUMENT, if there is no polygon of this index. */
 LGS_API lgs_status lgs_body_polygon_at(const lgs_body* body, size_t index, lgs_body_polygon* polygon) LGS_NOTHROW;

@@ -180,6 +180,15 @@ void addDoorsOfIslandsInC(Doors& door) {
     }
     return checked(status, world && out);
   });
+  door("lgs_islands_new_open", [](Scene& s, WorldOfC w, AnchorOfC anchor, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_islands* made = nullptr;
+    const lgs_status status = lgs_islands_new_open(w(f), anchor.function(), w(f), out(made));
+    const Owned<lgs_islands> view(made);
+    EXPECT_EQ(status == LGS_OK, made != nullptr);
+    if (made) askAll(made, w(f));
+    return checked(status, w(f) && out);
+  });
   door("lgs_islands_copy", [](Scene& s, Given i, Given out) {
     FollowedC& f = followedInCBy(s);
     lgs_islands* copy = nullptr;

@@ -1,11 +1,47 @@
 // Doors of bodies, pieces and hashes of the C interface. What is out of step is tried with copies.
 #include "c_views.h"
 
+#include <lgs/lgs_falling.h>
+
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace lgs::test {
 namespace {
+
+struct TurnOfC {
+  double cosine = 1, sine = 0;
+};
+/// What becomes of the bytes of a rock.
+struct DamageOfC {
+  enum { none, cut, more, empty, flipped } which = none;
+  std::vector<std::uint8_t> of(std::vector<std::uint8_t> bytes) const {
+    if (which == cut) bytes.pop_back();
+    if (which == more) bytes.push_back(0);
+    if (which == empty) bytes.clear();
+    if (which == flipped) bytes[bytes.size() / 2] ^= 0x81;
+    return bytes;
+  }
+};
+
+}  // namespace
+
+LGS_VALUES(TurnOfC, fmt::format("turned by ({}, {})", v.cosine, v.sine), {1, 0}, {0.6, 0.8}, {-1, 0}, {0, 0},
+           {1e300, -1e300}, {std::numeric_limits<double>::quiet_NaN(), 0})
+LGS_VALUES(DamageOfC, fmt::format("damage {}", static_cast<int>(v.which)), {DamageOfC::none}, {DamageOfC::cut},
+           {DamageOfC::more}, {DamageOfC::empty}, {DamageOfC::flipped})
+
+namespace {
+
+std::vector<std::uint8_t> bytesOf(const lgs_body* body) {
+  const lgs_rock rock{{{1.5, 2}, 0.6, 0.8}, {3, 4}, 5};
+  std::size_t count = 0;
+  EXPECT_EQ(lgs_rock_save(body, &rock, nullptr, 0, &count), LGS_SHORT_BUFFER);
+  std::vector<std::uint8_t> bytes(count);
+  EXPECT_EQ(lgs_rock_save(body, &rock, bytes.data(), count, &count), LGS_OK);
+  return bytes;
+}
 
 lgs_pieces* piecesOf(const FollowedC& f, Given given) { return given ? f.pieces.get() : nullptr; }
 lgs_hashes* hashesOf(const FollowedC& f, Given given) { return given ? f.hashes.get() : nullptr; }
@@ -17,6 +53,11 @@ Owned<lgs_hashes> copyOf(const lgs_hashes* hashes) {
   lgs_hashes* copy = nullptr;
   EXPECT_EQ(lgs_hashes_copy(hashes, &copy), LGS_OK);
   return Owned<lgs_hashes>(copy);
+}
+
+void commitBoth(FollowedC& f, WorldOfC w) {
+  if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
+  f.commit();
 }
 
 void addBodies(Doors& door) {
@@ -43,13 +84,46 @@ void addBodies(Doors& door) {
     f.commit();
     return checked(status, w.which != WorldOfC::none && i && (bodies || !room));
   });
-  door("lgs_put", [](Scene& s, WorldOfC w, Given body, Cell c, Out<lgs_error> e) {
+  door("lgs_put", [](Scene& s, WorldOfC w, Given body, Cell c, Space<lgs_polygon_id> ids, Out<lgs_error> e) {
     FollowedC& f = followedInCBy(s);
-    const lgs_status status = lgs_put(w(f), bodyOf(f, body), toC(c), e);
+    const lgs_status status = lgs_put(w(f), bodyOf(f, body), toC(c), ids.data(), ids.size(), e);
     EXPECT_TRUE(inRange(c) || status != LGS_OK);
-    if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
-    f.commit();
-    return checked(status, w.which != WorldOfC::none && body);
+    commitBoth(f, w);
+    return checked(status, w.which != WorldOfC::none && body && ids.isThere());
+  });
+  door("lgs_body_parts", [](Scene& s, Given body, int vertices, Given callback, Out<lgs_error> e) {
+    const auto most = static_cast<std::size_t>(std::int64_t{vertices});  // a negative one is very large
+    const lgs_part_fn look = [](void* most, lgs_block, const lgs_point* corners, std::size_t count) {
+      EXPECT_TRUE(count >= 3 && count <= *static_cast<std::size_t*>(most) && corners[0].x <= corners[1].x);
+    };
+    std::size_t bound = most;
+    const lgs_status status =
+        lgs_body_parts(bodyOf(followedInCBy(s), body), most, callback ? look : nullptr, &bound, e);
+    return checked(status, body && callback && most >= 3 && most <= kMaxVerticesPerCell);
+  });
+  door("lgs_put_as_it_lies",
+       [](Scene& s, WorldOfC w, Given body, DoublePoint at, TurnOfC turn, Given placing, Out<lgs_error> e) {
+         FollowedC& f = followedInCBy(s);
+         const lgs_placing lying{{at.x, at.y}, turn.cosine, turn.sine};
+         const lgs_status status = lgs_put_as_it_lies(w(f), bodyOf(f, body), placing ? &lying : nullptr, e);
+         commitBoth(f, w);
+         return checked(status, w.which != WorldOfC::none && body && placing);
+       });
+  door("lgs_rock_save",
+       [](Scene& s, Given body, DoublePoint at, Given rock, Space<std::uint8_t> bytes, Out<std::size_t> count) {
+         const lgs_rock moving{{{at.x, at.y}, 1, 0}, {at.y, at.x}, at.x};
+         return checked(
+             lgs_rock_save(bodyOf(followedInCBy(s), body), rock ? &moving : nullptr, bytes.data(), bytes.size(), count),
+             body && rock && bytes.isThere());
+       });
+  door("lgs_rock_load", [](Scene& s, DamageOfC damage, Given bytes, Given out, Out<lgs_rock> rock) {
+    FollowedC& f = followedInCBy(s);
+    const std::vector<std::uint8_t> saved = damage.of(bytesOf(f.body.get()));
+    lgs_body* body = nullptr;
+    const lgs_status status = lgs_rock_load(bytes ? saved.data() : nullptr, saved.size(), out(body), rock);
+    EXPECT_EQ(status == LGS_OK, body != nullptr);
+    if (body) f.body.reset(body);
+    return checked(status, (bytes || saved.empty()) && out);
   });
   door("lgs_body_get", [](Scene& s, Given body, Out<lgs_body_facts> out) {
     return checked(lgs_body_get(bodyOf(followedInCBy(s), body), out), body);

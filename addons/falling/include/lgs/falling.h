@@ -41,8 +41,8 @@ struct Placing {
 /// Sets a body into the ground as it lies. Its vertices are rounded to the lattice, its polygons are cut along the
 /// cells, and what is solid already stays as it is: what the body has beyond that is painted with its blocks, by a
 /// brush (law 8 with one more unit of rounding). Edges that two blocks of the body share stay shared. All of it is one
-/// edit, or nothing. Refused: as by paint(); or as by put(), for a body that fits nowhere. Cost: as of paint(), for
-/// each block and once more.
+/// edit, or nothing. Refused: as by paint(), for a block of it; or as by put(), for a body that fits nowhere. Cost: as of
+/// paint(), for each block.
 [[nodiscard]] Expected<void> putAsItLies(World& world, const Body& body, const Placing& placing) noexcept;
 
 }  // namespace lgs

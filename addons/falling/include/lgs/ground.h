@@ -25,7 +25,7 @@
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo. The
 //     next stroke lets them.
-//  4. What reaches the edge of memory is anchored (kBeyond in islands.h). What is loose when it comes in falls. Undo
+//  4. What reaches the edge of memory is anchored (kBeyond in islands.h), unless GroundOptions::atEdge is `open`. What is loose when it comes in falls. Undo
 //     and redo go on over chunks that left and came back. New land ends the redo.
 //  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 //
@@ -57,7 +57,7 @@ class Ground {
       : options_(std::move(options)),
         world_(options_.preserve),
         host_(world_, std::forward<OfHost>(ofHost)...),
-        islands_(world_, options_.isAnchor) {
+        islands_(world_, options_.isAnchor, options_.atEdge) {
     begin();
   }
   Ground(const Ground&) = delete;
@@ -112,6 +112,7 @@ class Ground {
   void step(const Step& step) {
     host_.beforeStep();
     step();
+    dropGone();
     host_.afterStep();
     if (!canRedo()) settleNext();
   }
@@ -119,19 +120,23 @@ class Ground {
   // --- Space
 
   /// The chunks with a cell of a rectangle are in memory from now on, and no others; until it is called the first time,
-  /// all are. With GroundOptions::land there is land there, and one chunk further. False, if the shelf did not give a
-  /// chunk, or other bytes: it stays away, and the next call tries again. Cost: O(1) if the chunks are the same.
+  /// all are. With GroundOptions::land there is land there, and one chunk further. False while that is not so, and the
+  /// next call goes on: there are more than GroundOptions::chunksAtOnce, or the shelf did not give a chunk, or other
+  /// bytes. Cost: O(1) if the chunks are the same and all are there.
   bool window(const CellRect& cells) {
     const CellRect chunks{chunkAround(cells.min).min, chunkAround(cells.max).max};
-    if (chunks == window_) return true;
-    window_ = chunks;
-    makeLand();
-    unloadOutside(world_, window_, options_.shelf);
-    const bool isAll = reloadInside(world_, window_, options_.shelf);
-    if (!isAll) window_ = {{0, 0}, {-1, -1}};
+    if (chunks == window_ && isWindowWhole_) return true;
+    if (chunks != window_) {
+      leaving_ = boxOf(leaving_, window_);
+      window_ = chunks;
+    }
+    std::size_t most = std::max<std::size_t>(options_.chunksAtOnce, 1);
+    // Land first, as a chunk that comes in needs to know what is beside it.
+    isWindowWhole_ = makeLand(most) && unloadSome(most) && reloadInside(world_, window_, options_.shelf, most);
     host_.window(chunks);
     commit();
-    return isAll;
+    keepLand();
+    return isWindowWhole_;
   }
 
   // --- Saving
@@ -146,10 +151,12 @@ class Ground {
   bool load(std::span<const std::byte> bytes) {
     auto loaded = loadGround(bytes, options_.preserve, window_, options_.shelf);
     if (!loaded) return false;
+    dropGone();
     for (const Fallen& f : fallen_)
       if (f.isInAir) destroy(f);
     fallen_.clear();
     for (Rock& rock : loaded->rocks) fallen_.push_back({std::move(rock), {}, -1});
+    isWindowWhole_ = false;
     made_ = {loaded->land.begin(), loaded->land.end()};
     newLand_.clear();
     squares_.note(world_);
@@ -175,12 +182,14 @@ class Ground {
   }
   /// Puts a rock into the ground now, as it lies. Refused: staleHandle; as by the host's settle().
   Expected<void> settle(Handle handle) {
+    dropGone();
     const auto found =
         std::ranges::find_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
     if (found == fallen_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     return settle(*found);
   }
-  /// For a rock whose body the game destroyed or keeps: it is not the ground's any more.
+  /// For a rock whose body the game destroys or keeps: it is not the ground's any more. A destroyed one that was not
+  /// forgotten is found in the next step(), undo(), redo(), save(), load() or settle(), before anything of it is used.
   void forget(Handle handle) {
     std::erase_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
   }
@@ -209,7 +218,7 @@ class Ground {
     world_.commit();
     [[maybe_unused]] const auto follows = world_.followCells(true);
     assert(follows);
-    islands_ = Islands(world_, options_.isAnchor);
+    islands_ = Islands(world_, options_.isAnchor, options_.atEdge);
     marks_ = {world_.mark()};
     oldest_ = now_ = 0;
   }
@@ -218,12 +227,13 @@ class Ground {
 
   void show(const Changes& changes) {
     host_.show(changes);
-    if (!islands_.update(world_, changes)) islands_ = Islands(world_, options_.isAnchor);
+    if (!islands_.update(world_, changes)) islands_ = Islands(world_, options_.isAnchor, options_.atEdge);
     for (const CellChange& change : world_.cellChanges()) squares_.note(change.cell);
     if (options_.follow) options_.follow(world_, changes);
   }
   /// With what falls by it.
   void commit() {
+    dropGone();
     show(world_.commit());
     const std::size_t before = fallen_.size();
     while (takeLoose()) show(world_.commit());
@@ -253,6 +263,11 @@ class Ground {
   }
   void destroy(const Fallen& f) {
     if (!isNull(f.handle)) host_.destroy(f.handle);
+  }
+  /// What the game destroyed is not ground any more.
+  void dropGone() {
+    if (!host_.dropGone()) return;
+    std::erase_if(fallen_, [&](const Fallen& f) { return f.isInAir && !isNull(f.handle) && !host_.has(f.handle); });
   }
 
   // --- Settling
@@ -293,6 +308,7 @@ class Ground {
   // --- Undo
 
   bool go(std::int64_t to) {
+    dropGone();
     const Mark mark = marks_[static_cast<std::size_t>(to - oldest_)];
     const bool went = (to < now_ ? world_.rollBack(mark, Undone::keep) : world_.redo(mark)).has_value();
     if (!went) return false;
@@ -305,6 +321,7 @@ class Ground {
       f.isInAir = false;
       if (f.took >= now_) f.rock = atRest(std::move(f.rock.ground));
     }
+    if (options_.atEdge == AtEdge::open) looksAtAll_ = true;  // its anchors may have left since
     show(world_.changesOfRollBack());
     for (Fallen& f : fallen_)
       if (!f.isInAir && isThere(f)) make(f);
@@ -328,10 +345,42 @@ class Ground {
 
   // --- The window
 
-  void makeLand() {
-    if (!options_.land) return;
-    for (const Cell corner : chunksAround(window_))
-      if (made_.insert(corner).second) makeChunk(corner);
+  /// Whether all of it is made. Until it is, none of it is in memory: what is beside land that is not made would fall.
+  bool makeLand(std::size_t& most) {
+    if (!options_.land) return true;
+    for (const Cell corner : chunksAround(window_)) {
+      if (made_.contains(corner)) continue;
+      if (most == 0) return false;
+      --most;
+      made_.insert(corner);
+      makeChunk(corner);
+      static_cast<void>(world_.unload(chunkAround(corner), options_.shelf.put));
+    }
+    return true;
+  }
+  /// Where nothing else has happened since the last mark, it is made anew behind the land: so the undo of the next stroke
+  /// does not take that away.
+  void keepLand() {
+    const auto isOfNow = [&](const Fallen& f) { return f.took == now_ || f.settled == now_; };
+    if (newLand_.empty() || newLand_.back().second != now_ || std::ranges::any_of(fallen_, isOfNow)) return;
+    static_cast<void>(world_.forget(std::exchange(marks_.back(), world_.mark())));
+    for (auto& land : newLand_)
+      if (land.second == now_) --land.second;
+    std::erase_if(newLand_, [&](const auto& land) { return land.second < oldest_; });
+  }
+  /// Whether no chunk is in memory out of the window. At first, when all may be, they leave at once.
+  bool unloadSome(std::size_t& most) {
+    const auto isSmall = [](std::int32_t min, std::int32_t max) { return std::int64_t{max} - min < 2'048; };
+    if (isSmall(leaving_.min.i, leaving_.max.i) && isSmall(leaving_.min.j, leaving_.max.j)) {
+      for (const Cell corner : chunksAround(leaving_)) {
+        if (contains(window_, corner)) continue;
+        if (most == 0) return false;
+        if (world_.unload(chunkAround(corner), options_.shelf.put).value_or(0) > 0) --most;
+      }
+    }
+    unloadOutside(world_, window_, options_.shelf);
+    leaving_ = window_;
+    return true;
   }
   void makeChunk(Cell corner) {
     dropFuture();
@@ -360,6 +409,7 @@ class Ground {
     commit();
   }
   std::vector<Rock> rocksAsValues() {
+    dropGone();
     std::vector<Rock> rocks;
     for (const Fallen& f : fallen_)
       if (f.isInAir) rocks.push_back(isNull(f.handle) ? f.rock : host_.read(f.handle));
@@ -377,6 +427,8 @@ class Ground {
   std::size_t next_ = 0;               // which of them looks first whether it can settle
   bool looksAtAll_ = false;            // something may hang in the air that no update will name
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+  CellRect leaving_ = window_;                          // what is in memory and not in the window is in it
+  bool isWindowWhole_ = false;                          // whether nothing is to come or go
   std::set<Cell> made_;                                 // chunks whose land was made
   std::vector<std::pair<Cell, std::int64_t>> newLand_;  // of these, which an undo may take away, and after which mark
   ChangedSquares squares_;                              // to be drawn

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -37,14 +38,18 @@ struct Shelf {
 
 /// How a Ground is made.
 struct GroundOptions {
-  IsAnchor isAnchor;            ///< what holds an island; empty: nothing ever falls
-  PreserveRelation preserve{};  ///< of its world
-  StayingBlocks staying{};      ///< what dig() and paint() go around
+  IsAnchor isAnchor;              ///< what holds an island; empty: nothing ever falls
+  AtEdge atEdge = AtEdge::holds;  ///< with `open`, what no anchor in memory holds falls at the edge of memory
+  PreserveRelation preserve{};    ///< of its world
+  StayingBlocks staying{};        ///< what dig() and paint() go around
   /// Makes the land of a chunk that was never loaded, with edits inside its cells alone, which hold nothing: the same
   /// for the same chunk, in whichever world and whenever it is called. Empty: there is none but what the game edits.
   std::function<void(World& land, const CellRect& chunk)> land{};
   Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
-  std::size_t undoSteps = 64;     ///< how many strokes can be undone
+  /// How many chunks window() makes, brings in and takes out in one call, at least one: so a game spreads over several
+  /// frames what takes most of one. It then calls window() in each frame, and before it begins until that is true.
+  std::size_t chunksAtOnce = std::numeric_limits<std::size_t>::max();
+  std::size_t undoSteps = 64;  ///< how many strokes can be undone
   /// Is notified of each commit, roll-back and redo: for further views, or the server of addons/sync. After a
   /// load() the game begins them again.
   std::function<void(const World& world, const Changes& changes)> follow{};
@@ -96,10 +101,13 @@ void putRock(std::vector<std::byte>& out, const Rock& rock);
 
 /// The lower-left cells of the chunks with a cell of a rectangle, and of those one chunk further.
 [[nodiscard]] std::vector<Cell> chunksAround(const CellRect& cells);
+/// The least rectangle around two.
+[[nodiscard]] CellRect boxOf(const CellRect& a, const CellRect& b);
 /// All chunks out of a rectangle of whole chunks leave memory.
 void unloadOutside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept;
-/// Those in it come back; false where the shelf does not give one.
-[[nodiscard]] bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept;
+/// Those in it come back, at most so many, from which those are taken off that did; false where some are still away, as
+/// the shelf did not give one or there are more.
+[[nodiscard]] bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf, std::size_t& most) noexcept;
 
 /// What a save of a Ground holds.
 struct LoadedGround {
@@ -138,9 +146,11 @@ class NoPhysics {
   /// there; as by putAsItLies().
   Expected<void> settle(Handle handle);
   void destroy(Handle handle) { rocks_.erase(handle); }  ///< its body goes
-  void window(const CellRect& /*cells*/) {}              ///< before the sync: these chunks are in memory, and no others
-  void beforeStep() {}                                   ///< see Ground::step()
-  void afterStep() {}                                    ///< see Ground::step()
+  bool dropGone() { return false; }  ///< forgets rocks whose bodies the game destroyed; whether there were any
+  bool has(Handle handle) const { return rocks_.contains(handle); }  ///< whether it is that of a rock
+  void window(const CellRect& /*cells*/) {}  ///< before the sync: of these chunks those are in memory that are loaded
+  void beforeStep() {}                       ///< see Ground::step()
+  void afterStep() {}                        ///< see Ground::step()
 
  private:
   World& world_;

@@ -16,6 +16,8 @@
 // borders show, is one island, kBeyond. What anchors it is not known, so it never falls; it is not among all() and has
 // no facts. When a chunk leaves, the islands there are reported as joined with it; when it comes back they are reported
 // as cut off from it, and loose() names those that nothing anchors. So unload and reload are followed as edits are.
+// With AtEdge::open unloaded ground counts as empty instead, in a second world (loops.h): there is no kBeyond, an island
+// ends at the edge of memory, and only anchors in memory hold it. What leaves is reported as removed, or as changed.
 //
 // The view follows loops (loops.h) and has one inside: loops(). What loops.h has on preserve relations, copies, threads
 // and memory holds here. Under a preserve relation commit before you unload; and chunks that are unloaded when the view
@@ -91,7 +93,7 @@ class Islands {
   /// Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view returns
   /// may be wrong, and nothing worse. Without `isAnchor` nothing is an anchor, and nothing is ever counted. Cost: in
   /// proportion to the world.
-  explicit Islands(const World& world, IsAnchor isAnchor = {}) noexcept;
+  explicit Islands(const World& world, IsAnchor isAnchor = {}, AtEdge atEdge = AtEdge::holds) noexcept;
   ~Islands() noexcept;
   Islands(const Islands& other) noexcept;             ///< cost: in proportion to what it knows
   Islands& operator=(const Islands& other) noexcept;  ///< the same

@@ -14,13 +14,16 @@
 // have without the relation. It keeps that in a second world, outline(), which takes as much memory again, and each
 // commit is made there as well. Such a world must follow its cells: World::followCells(true).
 //
-// A chain that leads into an unloaded chunk (World::unload()) is no loop as long as it does.
+// A chain that leads into an unloaded chunk (World::unload()) is no loop as long as it does. With AtEdge::open it closes
+// along the edge of memory: the view then has a second world as under a preserve relation, in which unloaded ground is
+// empty.
 //
 // Every function is noexcept: when memory runs out the program ends. A copy of a world works with a copy of its view.
 // Calls that are const are safe beside each other.
 #pragma once
 
 #include <lgs/int128.h>
+#include <lgs/unloaded.h>
 #include <lgs/world.h>
 
 #include <cstddef>
@@ -85,9 +88,9 @@ struct LoopChanges {
 /// The loops of a world. The comment at the top of this file has an example.
 class Loops {
  public:
-  /// Walks all segments of a world, as of its last commit. Under a preserve relation no edit may be pending. Cost: in
-  /// proportion to the segments; to the world, if there is a preserve relation.
-  explicit Loops(const World& world) noexcept;
+  /// Walks all segments of a world, as of its last commit. Where it has a second world no edit may be pending. Cost: in
+  /// proportion to the segments; to the world, where there is a second one.
+  explicit Loops(const World& world, AtEdge atEdge = AtEdge::holds) noexcept;
   ~Loops() noexcept;
   Loops(const Loops& other) noexcept;             ///< cost: in proportion to what it knows
   Loops& operator=(const Loops& other) noexcept;  ///< the same
@@ -114,7 +117,7 @@ class Loops {
   std::vector<LoopId> all() const noexcept;
 
   /// The world whose segments the loops consist of: `world` itself, which must be the one that is followed. Under a
-  /// preserve relation it is the second world.
+  /// preserve relation, and with AtEdge::open, it is the second world.
   const World& outline(const World& world) const noexcept;
 
   /// That of the world's segments which the view shows.

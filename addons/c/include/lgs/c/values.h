@@ -73,7 +73,7 @@ enum {
   LGS_UNCOMMITTED = 16,      /* edits are not committed, or there are marks */
   LGS_OUT_OF_REACH = 17,     /* a point, a radius or a ray of a question goes too far */
   LGS_UNLOADED = 18,         /* ground that is not in memory: see lgs_unload() */
-  LGS_ANCHORED = 19,         /* an island that something holds can not fall: of falling ground, which C has not */
+  LGS_ANCHORED = 19,         /* an island that something holds can not fall: of FallingGround in C++, which C has not */
   /* A call is refused. */
   LGS_BAD_ARGUMENT = 100, /* NULL where that must not be, a number that means nothing, options of an unknown size */
   LGS_SHORT_BUFFER = 101, /* there is more than the buffer has room for */

@@ -51,12 +51,13 @@ struct RolledBack {
   std::vector<Falling> made;  ///< fall again
 };
 
-/// The ground of one world that falls. What it makes is the game's to move; code that destroys a body calls forget().
+/// The ground of one world that falls. What it makes is the game's to move. Code that destroys a body calls forget(); if
+/// it does not, the next call here but bodies() finds that out, and the ground that the body was is lost with it.
 class FallingGround {
  public:
   /// All of them must outlive it and stay where they are.
   FallingGround(Physics physics, World& world, Terrain& terrain, FallingOptions options = {})
-      : physics_(physics), world_(world), terrain_(terrain), options_(std::move(options)) {}
+      : physics_(physics), world_(world), terrain_(terrain), options_(std::move(options)), known_(physics) {}
 
   /// Takes an island out of the ground. Its body is made by the next afterSync(). Refused: anchored, if something holds
   /// it; and as by take(). Cost: as of take().
@@ -75,6 +76,7 @@ class FallingGround {
   /// One that Box2D can make no shape of has a null body, and is not among bodies(). Cost: as of convexParts().
   std::vector<Falling> afterSync() {
     if (world_.version() != wentTo_) undone_.clear();  // after an edit nothing is done again
+    dropGone();
     std::vector<Falling> made;
     for (Falling& falling : waiting_) made.push_back(make(std::move(falling)));
     waiting_.clear();
@@ -86,6 +88,7 @@ class FallingGround {
   /// made again, where its ground was. What an undone settle() has taken out of the ground is not made again. Cost: a
   /// look at each body; as of afterSync().
   RolledBack afterRollBack() {
+    dropGone();
     RolledBack out;
     const auto isGround = [&](const Falling& f) { return f.was && world_.polygon(f.was).has_value(); };
     std::vector<Falling> again;
@@ -98,6 +101,7 @@ class FallingGround {
       undone_.push_back(std::move(f));
       return true;
     });
+    dropGone();
     for (Falling& falling : again) out.made.push_back(make(std::move(falling)));
     wentTo_ = world_.version();
     return out;
@@ -108,7 +112,15 @@ class FallingGround {
   Falling add(Body ground) { return make({{}, std::move(ground), {}}); }
 
   /// Takes a body of the game's that is made of ground: one that was forgotten, say. From here on it can be settled.
-  void add(BodyHandle body, Body ground) { bodies_.push_back({body, std::move(ground), {}}); }
+  void add(BodyHandle body, Body ground) { keep({body, std::move(ground), {}}); }
+
+  /// Forgets bodies that were destroyed without forget(), and returns whether there were any. Cost: a look at each body
+  /// of the physics world in Box2D 2.4, at each of bodies() in 3.
+  bool dropGone() {
+    known_.eraseIf([](BodyHandle) { return false; });
+    const auto isGone = [&](const Falling& f) { return std::ranges::count(known_.all(), f.body) == 0; };
+    return known_.all().size() != bodies_.size() && std::erase_if(bodies_, isGone) > 0;
+  }
 
   /// All bodies that there are.
   const std::vector<Falling>& bodies() const { return bodies_; }
@@ -119,6 +131,7 @@ class FallingGround {
   /// changed: overlap, where the ground reaches into it by more than two slops; staleHandle, if there is no such body;
   /// and as by putAsItLies(). Cost: as of Terrain::fits() and putAsItLies().
   Expected<void> settle(BodyHandle body) {
+    dropGone();
     const auto found = find(body);
     if (found == bodies_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     const Place down = downOf(physics_);
@@ -135,7 +148,7 @@ class FallingGround {
                           lying.cosine / scale,
                           lying.sine / scale};
     if (const auto done = putAsItLies(world_, found->ground, placing); !done) return done;
-    bodies_.erase(found);
+    forget(body);
     destroyBody(physics_, body);
     return {};
   }
@@ -143,6 +156,7 @@ class FallingGround {
   /// For a body that the game destroys itself, or keeps for itself: add() takes it back.
   void forget(BodyHandle body) {
     if (const auto found = find(body); found != bodies_.end()) bodies_.erase(found);
+    known_.eraseIf([&](BodyHandle one) { return one == body; });
   }
 
  private:
@@ -158,8 +172,13 @@ class FallingGround {
                             [&](Block block) { return options_.material ? options_.material(block) : Material{}; });
     if (isNull(falling.body)) return falling;
     noteWhereItIs(terrain_, falling.body);
-    bodies_.push_back(falling);
+    keep(falling);
     return falling;
+  }
+  void keep(Falling falling) {
+    dropGone();
+    known_.add(falling.body);
+    bodies_.push_back(std::move(falling));
   }
   typename std::vector<Falling>::iterator find(BodyHandle body) {
     return std::find_if(bodies_.begin(), bodies_.end(), [&](const Falling& f) { return f.body == body; });
@@ -176,6 +195,7 @@ class FallingGround {
   FallingOptions options_;
   std::vector<Falling> waiting_;  // for afterSync()
   std::vector<Falling> bodies_;
+  detail::KnownBodies known_;    // those of bodies_
   std::vector<Falling> undone_;  // are ground again, and fall if that is done again
   std::uint64_t wentTo_ = 0;     // the version of the world at the last afterRollBack()
 };

@@ -24,6 +24,7 @@ class GroundHost {
   /// All of them must outlive it and stay where they are.
   GroundHost(World& world, Physics physics, TerrainOptions terrain = {}, FallingOptions falling = {})
       : physics_(physics),
+        world_(world),
         terrain_(physics, world, std::move(terrain)),
         falling_(physics, world, terrain_, std::move(falling)),
         away_(physics) {}
@@ -87,7 +88,13 @@ class GroundHost {
   /// The body goes.
   void destroy(BodyHandle body) {
     falling_.forget(body);
-    if (isStillThere(physics_, body)) destroyBody(physics_, body);
+    destroyBody(physics_, body);
+  }
+  /// Forgets rocks whose bodies the game destroyed; whether there were any.
+  bool dropGone() { return falling_.dropGone(); }
+  /// Whether a body is that of a rock.
+  bool has(BodyHandle body) const {
+    return std::ranges::any_of(falling_.bodies(), [&](const Falling& f) { return f.body == body; });
   }
   /// Bodies come back before the ground that they were in is new: so law 13 holds for them.
   void window(const CellRect& cells) {
@@ -119,7 +126,10 @@ class GroundHost {
     return {static_cast<double>(at.x) / cellSize() + static_cast<double>(corner.x) / kUnitsPerCell,
             static_cast<double>(at.y) / cellSize() + static_cast<double>(corner.y) / kUnitsPerCell};
   }
-  bool isAway(BodyHandle body) const { return !contains(window_, terrain_.cellAt(middleOfMass(body))); }
+  bool isAway(BodyHandle body) const {
+    const Cell cell = terrain_.cellAt(middleOfMass(body));
+    return !contains(window_, cell) || world_.firstUnloaded({cell, cell});
+  }
   void disableAway(bool moved) {
     std::vector<BodyHandle> away;
     forEachBody(physics_, terrain_, moved, [&](BodyHandle body) {
@@ -134,6 +144,7 @@ class GroundHost {
   static constexpr float kSlow = 0.05F, kSlowSpin = 0.05F;  // metres and radians a second
 
   Physics physics_;
+  const World& world_;
   Terrain terrain_;
   FallingGround falling_;
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};

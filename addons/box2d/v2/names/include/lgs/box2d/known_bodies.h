@@ -3,8 +3,8 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <unordered_set>
 #include <vector>
 
 namespace lgs::detail {
@@ -34,9 +34,14 @@ class KnownBodies {
   template <class IsOut>
   void eraseIf(const IsOut& isOut) {
     if (bodies_.empty()) return;
-    std::unordered_set<const b2Body*> there;
-    for (const b2Body* body = mark_; body != nullptr; body = body->GetNext()) there.insert(body);
-    std::erase_if(bodies_, [&](b2Body* body) { return !there.contains(body) || isOut(body); });
+    std::vector<const b2Body*> known(bodies_.begin(), bodies_.end()), there;
+    std::ranges::sort(known);
+    for (const b2Body* body = mark_; body != nullptr; body = body->GetNext())
+      if (std::ranges::binary_search(known, body)) there.push_back(body);
+    std::ranges::sort(there);
+    std::erase_if(bodies_, [&](b2Body* body) {
+      return !std::ranges::binary_search(there, static_cast<const b2Body*>(body)) || isOut(body);
+    });
     if (bodies_.empty()) drop();
   }
 

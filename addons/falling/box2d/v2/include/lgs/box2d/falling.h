@@ -92,12 +92,6 @@ void forEachBody(b2World& physics, const Terrain& /*terrain*/, bool moved, const
   for (b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext())
     if (body->GetType() == b2_dynamicBody && body->IsEnabled() && (body->IsAwake() || !moved)) call(body);
 }
-/// Whether a body that was there still is: by its address, so another one may be.
-inline bool isStillThere(b2World& physics, const b2Body* body) {
-  const b2Body* one = physics.GetBodyList();
-  while (one != nullptr && one != body) one = one->GetNext();
-  return one != nullptr;
-}
 
 inline void noteWhereItIs(Terrain& terrain, const b2Body* body) { terrain.moved(*body); }
 inline void destroyBody(b2World& physics, b2Body* body) { physics.DestroyBody(body); }

@@ -120,8 +120,6 @@ void forEachBody(b2WorldId physics, const Terrain& terrain, bool moved, const Ca
   for (const b2BodyId body : bodies)
     if (b2Body_IsValid(body) && b2Body_GetType(body) == b2_dynamicBody && b2Body_IsEnabled(body)) call(body);
 }
-/// Whether a body that was there still is.
-inline bool isStillThere(b2WorldId /*physics*/, b2BodyId body) { return b2Body_IsValid(body); }
 
 inline void noteWhereItIs(Terrain& terrain, b2BodyId body) { terrain.moved(body); }
 inline void destroyBody(b2WorldId /*physics*/, b2BodyId body) { b2DestroyBody(body); }
