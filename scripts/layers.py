@@ -87,7 +87,7 @@ ROOMS = {
     "oracle/suites": ENGINE + REFERENCES,
     "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
                                  "oracle/engine"],
-    "oracle/check": ENGINE + REFERENCES + ["oracle/views", "lib/views/include", "lib/pieces/include", "lib/text", "oracle/draw", "oracle/engine", "oracle/page",
+    "oracle/check": ENGINE + REFERENCES + ["oracle/views", "lib/brush/include", "lib/views/include", "lib/pieces/include", "lib/text", "oracle/draw", "oracle/engine", "oracle/page",
                                             "oracle/generate"],
     "bench/published": ENGINE + ["oracle/engine/include", "oracle/reference"],
     "addons/box2d/ride": ENGINE + ADAPTERS + ORACLE,
