@@ -25,8 +25,8 @@
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo. The
 //     next stroke lets them.
-//  4. What reaches the edge of memory is anchored (kBeyond in islands.h), unless GroundOptions::atEdge is `open`. What is loose when it comes in falls. Undo
-//     and redo go on over chunks that left and came back. New land ends the redo.
+//  4. What reaches the edge of memory is anchored (kBeyond in islands.h), unless GroundOptions::atEdge is `open`. What
+//     is loose when it comes in falls. Undo and redo go on over chunks that left and came back. New land ends the redo.
 //  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 //
 // Costs: a stroke as of its edit, commit, the islands and the sync; an undo as of the strokes undone. A Ground stays
