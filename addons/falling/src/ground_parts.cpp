@@ -227,7 +227,7 @@ std::optional<LoadedGround> loadGround(std::span<const std::byte> bytes, const P
     loaded.rocks.push_back(std::move(*rock));
   }
   std::vector<std::pair<Cell, std::vector<std::byte>>> leave;
-  while (const std::uint64_t size = in.count(1)) {
+  while (const auto size = static_cast<std::size_t>(in.count(1))) {
     const auto corner = loaded.world.reload(bytes.first(size));
     if (!corner) return std::nullopt;
     bytes = bytes.subspan(size);
