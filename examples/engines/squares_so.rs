@@ -84,8 +84,8 @@ extern "C" fn commit(s: &mut Squares, answer: &Answer) {
 pub extern "C" fn lgs_engine() -> *const Table {
     static TABLE: Table = Table {
         version: 1,
-        name: c"squares.rs".as_ptr(),
-        capabilities: c"squares blocks".as_ptr(),
+        name: b"squares.rs\0".as_ptr() as *const c_char,
+        capabilities: b"squares blocks\0".as_ptr() as *const c_char,
         create, destroy, reset, preserve, add, remove, commit,
     };
     &TABLE
