@@ -95,10 +95,10 @@ class World {
   [[nodiscard]] Expected<ShapeId> shape(std::span<const DoublePoint> polygon) noexcept;
   [[nodiscard]] Expected<ShapeId> shape(std::span<const std::vector<LocalPoint>> polygons) noexcept;
 
-  /// The polygons of a shape, in its order. Valid until the next shape is made. Refused: unknownShape.
+  /// Returns the polygons of a shape, in its order. Valid until the next shape is made. Refused: unknownShape.
   Expected<std::vector<std::span<const LocalPoint>>> polygonsOf(ShapeId shape) const noexcept;
 
-  /// The least box around the polygons of a shape. Refused: unknownShape. Cost: it looks at each vertex.
+  /// Returns the least box around the polygons of a shape. Refused: unknownShape. Cost: it looks at each vertex.
   Expected<LocalBox> boundingBox(ShapeId shape) const noexcept;
 
   // --- Edits --------------------------------------------------------------------------------------------------------
@@ -203,12 +203,8 @@ class World {
   /// changesOfRollBack() then returns what this did to the segments. Refused: unknownMark. Cost: in proportion to the
   /// edits since the mark.
   ///
-  /// With Undone::keep the later marks are *ahead*: redo() leads there. So a game that makes a mark at its begin
-  /// and after each commit of a player's can undo and redo:
-  ///
-  ///   if (k > 0 && world.rollBack(marks[k - 1], lgs::Undone::keep)) --k;
-  ///   if (k + 1 < marks.size() && world.redo(marks[k + 1])) ++k;
-  ///   marks.resize(++k); marks.push_back(world.mark());  // after an edit and its commit
+  /// With Undone::keep the later marks are *ahead*: redo() leads there. A game that makes a mark at its begin and after
+  /// each commit of a player's undoes and redoes so; docs/guide.md has the lines.
   ///
   /// What is kept takes memory as long as it can be redone: until the world rolls back further without keeping, rolls
   /// back with keeping after an edit or another mark, or has no mark left from before.
@@ -361,12 +357,12 @@ class World {
   /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as of forEachPolygon().
   std::optional<CellRect> bounds() const noexcept;
 
-  /// The polygon of a handle, after all edits, committed or not. Refused: staleHandle; unloaded.
+  /// Returns the polygon of a handle, after all edits, committed or not. Refused: staleHandle; unloaded.
   Expected<PlacedPolygon> polygon(PolygonHandle handle) const noexcept;
-  /// The cell of a polygon. Refused: staleHandle; unloaded.
+  /// Returns the cell of a polygon. Refused: staleHandle; unloaded.
   Expected<Cell> cellOf(PolygonHandle handle) const noexcept;
 
-  /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment;
+  /// Returns a segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment;
   /// unloaded.
   Expected<Segment> segment(SegmentId id) const noexcept;
 
@@ -400,7 +396,7 @@ class World {
   /// proportion to the cells with a chunk within twice the distance found, or within the radius.
   Expected<Nearest> nearest(Point point, double radius) const noexcept;
 
-  /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves
+  /// Returns the first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves
   /// it without a hit. One that runs along a segment does not hit it. The ends of a segment count. Of several at the
   /// same place the least by start, end and block. Refused: outOfReach, if an end is out of range or the ray is longer
   /// than kMaxRay cells on an axis; unloaded, with the first unloaded cell that it meets before a hit. Cost: in

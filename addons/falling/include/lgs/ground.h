@@ -78,6 +78,7 @@ class Ground {
     return edit([&](World& world) { return world.add(cell, polygon, block); });
   }
   /// Any edits, as one stroke: make(world) returns an Expected, and if that is an error nothing is changed.
+  /// Refused: as make() was.
   template <class Edit>
   Expected<void> edit(const Edit& make) {
     Transaction group = world_.edit();

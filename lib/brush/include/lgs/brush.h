@@ -6,9 +6,8 @@
 //   for (const auto& [old, now] : done->changed) …    // what your game keeps by handle
 //   world.commit();                                   // as after any edit
 //
-// Brushes have laws 8 to 11 of docs/contract.md: bounded rounding (at most one lattice unit from an edge of the exact
-// result), what is not reached stays (or BrushResult::rounded names it), no seams, total. docs/internals/brushes.md has
-// how they are kept.
+// Laws 8 to 11 of docs/contract.md bound how much the result may differ from the exact one; what rounding moves
+// BrushResult::rounded names. docs/internals/brushes.md has how they are kept.
 //
 // Units: a Point is in lattice units of the world, 65,536 to a cell. Lengths are in lattice units too.
 #pragma once
@@ -53,15 +52,15 @@ struct Region {
 /// refused when the region is used.
 [[nodiscard]] Region region(std::span<const std::vector<DoublePoint>> rings, FillRule rule = FillRule::nonZero);
 
-/// The least rectangle of cells with all of a region; an empty one, if the region has no vertices or no width or no
+/// Returns the least rectangle of cells with all of a region; an empty one, if the region has no vertices or no width or no
 /// height. Refused: outOfReach, as by paint(). Cost: it looks at each vertex.
 [[nodiscard]] Expected<CellRect> boundsOf(const Region& region) noexcept;
 
-/// The cells that have a part of a region, each once: those in which paint() and carve() may change something. Refused:
+/// Returns the cells that have a part of a region, each once: those in which paint() and carve() may change something. Refused:
 /// as by paint(). Cost: as of paint() without the work in the cells.
 [[nodiscard]] Expected<std::vector<Cell>> cellsOf(const Region& region) noexcept;
 
-/// A region but for another one: paint(world, *without(region, except), …) leaves `except` as it is. The vertices are
+/// Returns a region but for another one: paint(world, *without(region, except), …) leaves `except` as it is. The vertices are
 /// those of both and where their edges cross, rounded to the lattice; so are the edges where they run from cell to
 /// cell. Every point in which it differs from the exact difference lies within two lattice units of an edge of either.
 /// Refused: as by painting the one and then carving the other in an empty world; Error::polygon counts the rings of

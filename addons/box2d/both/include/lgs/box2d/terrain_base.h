@@ -68,7 +68,7 @@ class TerrainBase {
   TerrainBase& operator=(const TerrainBase&) = delete;
   TerrainBase& operator=(TerrainBase&&) = delete;
 
-  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is
+  /// Commits the edits of its world, and syncs. Refused: as by sync(). `world` must be the terrain's own; if it is
   /// another one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
   tl::expected<void, SyncError> commit(World& world) noexcept;
 
@@ -84,11 +84,8 @@ class TerrainBase {
   tl::expected<void, SyncError> sync(const Changes& changes, OnOverlap onOverlap) noexcept;
 
   /// The bodies that these changes would overlap. To be called after a commit or roll-back and before its sync(): so
-  /// the game can roll back, or leave the rest to sync(). A body overlaps it if its centre was free and is in the
-  /// solid, or if a new edge reaches deeper than half way to its centre. Of a body of several shapes each has a centre:
-  /// the one by which Box2D decides on which side of an edge it is. A centre is free if latticePoint() of it is in no
-  /// polygon and on no edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D
-  /// sees it. Sensors, bodies that are not dynamic or not enabled, and shapes whose filter lets them through the block
+  /// the game can roll back, or leave the rest to sync(). A body overlaps it if the centre of one of its shapes was
+  /// free (law 13) and is in the solid, or if a new edge reaches deeper than half way to it. Sensors, bodies that are not dynamic or not enabled, and shapes whose filter lets them through the block
   /// do not count. Nothing, if sync() would refuse the changes. Cost: the number of changes, for each body near one of
   /// them; and up to some milliseconds for one that has no path out.
   std::vector<Overlap> overlapsWith(const Changes& changes) noexcept;
