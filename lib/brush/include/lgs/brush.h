@@ -112,8 +112,8 @@ struct BrushResult {
 };
 
 /// Paints a region with a block. What is painted and the polygons that the region meets are united, in each cell, where
-/// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles.
-/// Returns what became of polygons. Cells that are inside the region as a whole cost what add() and setBlock() cost.
+/// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles;
+/// of several polygons rounding may make some anew, which `changed` names. Returns what became of polygons. Cells that are inside the region as a whole cost what add() and setBlock() cost.
 /// Refused, and nothing is changed: outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the
 /// ring, Error::vertex the vertex), or if the region is more than kMaxRegionCells wide or high, or was made with a
 /// length out of range; capacity, if a cell would hold too much (see limits.h), or the region is too much for it (see
