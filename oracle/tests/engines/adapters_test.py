@@ -81,7 +81,7 @@ def kinds(lgs, options, assumed):
     with tempfile.TemporaryDirectory() as folder:
         worlds = ["--case-edits", "15"] if "regions" in assumed else []  # all strokes are united anew at each commit
         command = [lgs, "check", *options, *worlds, "--assume", assumed]
-        edits = "800" if "--engine-so" in options else "200"  # which is quick
+        edits = "1200" if "--engine-so" in options else "200"  # which is quick
         command += ["--edits", edits, "--shrink", "0", "--report", folder]
         done = subprocess.run(command, cwd=folder, env=os.environ | NODE, capture_output=True, text=True, check=False)
         report = pathlib.Path(folder, "report.md")
