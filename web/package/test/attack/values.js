@@ -48,6 +48,7 @@ const ofType = {
   '(world: World) => void': (s) => [() => s.world.clear(0, 0), () => {}, () => s.world.commit(), () => s.world.rollBack(s.marks[0]), () => s.receivers.Islands.free(),
     () => s.receivers.Islands.foresee(() => {}), () => { s.world.clear(0, 0); mine() }, () => s.world.remove(-1), () => s.world.forget(s.marks[0])],
   Anchors: [{}, { blocks: [9], cells: rects.slice(0, 1) }, { blocks: [0.5] }, { cells: rects }, { blocks: new Array(3) }],
+  AtEdge: ['holds', 'open', 'closed'],
   'ArrayLike<PolygonId>': ({ polygons }) => [[polygons()[0]], [], [polygons()[0], polygons()[0]], polygons(), new Array(3000).fill(polygons()[0])],
   Block: [1, 0, 9, 2 ** 32 - 1],
   Body: (s) => [s.planck.ball, s.planck.platform, s.planck.gone],
