@@ -39,8 +39,7 @@ std::vector<PageMemory::Slab>::iterator PageMemory::slabOf(const std::byte* page
 std::byte* PageMemory::take(std::size_t pageBytes, std::size_t inUse) {
   if (spare_.empty()) {
     const Slab& slab = slabs_.emplace_back(slabFor(pageBytes, inUse));
-    for (std::size_t n = slab.bytes / pageBytes; n > 0; --n)
-      spare_.push_back(slab.memory.get() + (n - 1) * pageBytes);
+    for (std::size_t n = slab.bytes / pageBytes; n > 0; --n) spare_.push_back(slab.memory.get() + (n - 1) * pageBytes);
   }
   std::byte* const page = spare_.back();
   spare_.pop_back();
