@@ -16,6 +16,7 @@ const shards = 7 // of a crystal that fly to its place
 const crumbColours: Readonly<Record<number, string>> = { 1: '#8d6244', 2: '#4a3a44', 3: shine[3], 4: '#d95d4a', 5: shine[5] }
 const dustColour = '#d9c3a5'
 const feast = 2.5 // seconds, when all places are full
+const day = 2 // as the cave counts light; once it is day it stays so, unless crystals are undone
 
 export class Goal {
   readonly crystals: Crystals
@@ -27,7 +28,6 @@ export class Goal {
   readonly #sparks = new Sparks()
   readonly #sound = new Sound()
   readonly #lead = element('dig-lead').querySelector('strong')!
-  readonly #task = this.#lead.textContent
   readonly #places = [...element('dig-places').children] as HTMLElement[]
   readonly #gold = element('dig-gold').previousElementSibling as HTMLElement
   #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
@@ -59,7 +59,7 @@ export class Goal {
     this.#sparks.step(time)
     this.#settle(time)
     const round = this.#places.length, { light } = this.#cave
-    this.#cave.light += ((2 * this.#arrived) / round - light) * Math.min(1, 2 * time)
+    this.#cave.light += (Math.min(day, (day * this.#arrived) / round) - light) * Math.min(1, 2 * time)
     this.#cave.draw(now)
     const c = this.#canvas.getContext('2d')!, { x, y, size } = this.#picture, scale = (size * this.#canvas.width) / this.#canvas.clientWidth
     c.save()
@@ -115,13 +115,13 @@ export class Goal {
     if (block === gold) this.#tell()
     if (block !== large || this.#arrived >= this.crystals.count(large)) return // or it was undone on its way
     const place = this.#places[this.#arrived % this.#places.length]
-    if (this.#arrived % this.#places.length === 0) this.#empty()
+    if (this.#arrived % this.#places.length === 0) this.#fill()
     ++this.#arrived
     place.className = 'full'
     this.#tell()
     if (this.#arrived % this.#places.length !== 0) return
     this.#feast = feast
-    this.#lead.textContent = this.#arrived % (2 * this.#places.length) === 0 ? 'And it is night again.' : 'Daybreak!'
+    this.#lead.textContent = this.#arrived === this.#places.length ? 'Daybreak!' : `${this.#arrived} crystals!`
   }
 
   /** What time does to the shake, to a feast, and to what was undone. */
@@ -133,8 +133,7 @@ export class Goal {
     const count = this.crystals.count(large)
     if (this.#arrived > count) {
       this.#arrived = count
-      const full = this.#arrived % this.#places.length
-      for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
+      this.#fill()
       this.#tell()
     }
     if (this.#feast <= 0) return
@@ -146,12 +145,15 @@ export class Goal {
       this.#sound.chime(before)
     }
     if (this.#feast > 0) return
-    this.#lead.textContent = this.#task
-    this.#empty()
+    this.#lead.textContent = 'Walk on: there are more.'
+    element('digger').classList.add('asks')
+    this.#fill()
   }
 
-  #empty(): void {
-    for (const place of this.#places) place.className = ''
+  /** The places of the crystals since the last feast. */
+  #fill(): void {
+    const full = this.#arrived % this.#places.length
+    for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
   }
 
   #tell(): void {

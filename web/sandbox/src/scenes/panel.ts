@@ -6,7 +6,6 @@ import { codes } from './code.js'
 
 // No scenes, but what the menu ends with.
 const anew = 'anew'
-const digger = '#digger' // its address
 
 export class ScenePanel {
   readonly #menu = element<HTMLSelectElement>('scene')
@@ -16,13 +15,11 @@ export class ScenePanel {
   constructor(onChoose: (id: string) => void, say: (text: string) => void) {
     const own = new Option('Your own ground', '')
     own.hidden = true
-    this.#menu.append(own, ...scenes.map(({ id, name }) => new Option(name, id)), new Option('Begin it anew', anew), new Option('The digger', digger))
+    this.#menu.append(own, ...scenes.map(({ id, name }) => new Option(name, id)), new Option('Begin it anew', anew))
     this.#menu.value = this.#open
+    // Its page begins anew, since the digger is there alone.
+    onClick('back-to-digger', () => setTimeout(() => location.reload()))
     this.#menu.addEventListener('change', () => {
-      if (this.#menu.value === digger) {
-        location.hash = digger
-        return location.reload()
-      }
       const value = this.#menu.value === anew ? this.#open || scenes[0].id : this.#menu.value
       this.#menu.value = value
       this.#menu.blur()
