@@ -19,7 +19,8 @@
  *   may be NULL: then the value is not wanted. It must not be NULL where a world, a group, a list of loops or a mark is
  *   handed out: you could not free it. An array may be NULL if it has no elements. Any other pointer must not be NULL,
  *   unless the text says so. A NULL that must not be is refused as LGS_BAD_ARGUMENT, and so is a number that is none of
- *   the constants for it. Functions that return no status take a NULL world for an empty one.
+ *   the constants for it; where no refusal is named, it is the only one, and with "as a list" LGS_SHORT_BUFFER.
+ *   Functions that return no status take a NULL world for an empty one.
  *   Not checked: that a pointer leads to as much memory as it should, and that a world, a group or a list of loops was
  *   not freed. A refused call leaves its outputs as they were, unless noted otherwise.
  * - Errors. If the last argument is a lgs_error*, it may be NULL. It is written only if the result is not LGS_OK.

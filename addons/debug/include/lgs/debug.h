@@ -7,7 +7,7 @@
 
 namespace lgs {
 
-/// The polygons of a world as a trace, the `lgs` command's format: after all edits, committed or not, by cell (j, then
+/// Returns the polygons of a world as a trace, the `lgs` command's format, without those of unloaded chunks: after all edits, committed or not, by cell (j, then
 /// i) and handle. With it come the `preserve` lines of all blocks that are there. Coordinates are exact. What a trace
 /// can not say is lost: handles, ids, shapes, edits that are not committed. Cost: in proportion to the polygons; under
 /// a preserve relation also to the square of the number of blocks.
@@ -21,8 +21,8 @@ struct SvgOverlay {
   Cell origin = {};         ///< its lower left corner is their (0, 0)
 };
 
-/// The polygons of a world, and its segments as of the last commit with their outward normals, as an SVG picture, and
-/// what is laid over it. A cell is 64 pixels wide. Each block has a colour. Cost: in proportion to the polygons and
+/// Returns the polygons of a world, and its segments as of the last commit with their outward normals, as an SVG
+/// picture, without unloaded chunks, and what is laid over it. A cell is 64 pixels wide. Each block has a colour. Cost: in proportion to the polygons and
 /// segments.
 std::string writeSvg(const World& world, const SvgOverlay& overlay = {});
 

@@ -25,6 +25,8 @@
 // (Hertel and Mehlhorn: Fast triangulation of the plane with respect to simple polygons, Information and Control 64,
 // 1985; docs/pieces.md). Blocks and preserve relations play no part: where there is a polygon, there is no way.
 //
+// Cells of unloaded chunks count as empty.
+//
 // A Pieces is one value with one owner. A copy of a world goes on with a copy of its pieces. Calls that are const are
 // safe beside each other. All functions are noexcept: when memory runs out the program ends. Lists and spans are valid
 // until the next update().

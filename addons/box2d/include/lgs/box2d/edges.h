@@ -47,7 +47,7 @@ struct EdgeId {
 struct Edge {
   SegmentId first;              ///< the first of its segments
   SegmentId last;               ///< the last of them; `first` if it stands for one
-  std::uint32_t chunk = 0;      ///< number of the chunk; EdgeSet::chunk() says where it is
+  std::uint32_t chunk = 0;      ///< number of the chunk; EdgeSet::chunk() returns where it is
   Block block = 0;              ///< of the first segment
   Point start;                  ///< that of the first segment, in lattice units
   Point end;                    ///< that of the last segment, in lattice units
@@ -75,7 +75,7 @@ struct EdgeOptions {
 
 /// What to do to a copy of the edges: first remove, then add, then relink. No id is in two lists.
 struct EdgeChanges {
-  std::vector<EdgeId> removed;   ///< edge() still says what they were, until the next update
+  std::vector<EdgeId> removed;   ///< edge() still returns what they were, until the next update
   std::vector<EdgeId> added;     ///< new edges
   std::vector<EdgeId> relinked;  ///< edges with the same ends as before and another ghost
   /// Of these: with a ghost in another direction, or nearer than `shortest`. To a physics engine that uses no more of a
@@ -121,7 +121,7 @@ class EdgeSet {
   /// The edge that stands for a segment; null if the segment is left out or is no live segment.
   EdgeId edgeOf(SegmentId segment) const noexcept;
   /// Where a segment was at the last load or update; nothing if it was not alive then. So between a commit and its
-  /// update this says what the commit took away.
+  /// update this returns what the commit took away.
   std::optional<Line> lineOf(SegmentId segment) const noexcept;
   /// The highest SegmentId::value that lineOf() may know, and maybe a higher one.
   std::uint32_t maxSegmentId() const noexcept {

@@ -211,7 +211,7 @@ typedef struct lgs_error {
 LGS_API const char* lgs_status_name(lgs_status status) LGS_NOTHROW;
 
 /* Writes a whole sentence that ends with a 0 and is cut to `capacity`, as a list of characters: *count is its length
- * without the 0, and LGS_SHORT_BUFFER says that it was cut. UTF-8; a cut may go through a character. */
+ * without the 0, and LGS_SHORT_BUFFER is returned if it was cut. UTF-8; a cut may go through a character. */
 LGS_API lgs_status lgs_message(const lgs_error* error, char* buffer, size_t capacity, size_t* count) LGS_NOTHROW;
 
 /* The library's own version: major << 16 | minor << 8 | patch. */

@@ -60,7 +60,7 @@ typedef void (*lgs_write_fn)(void* user, const uint8_t* bytes, size_t count);
  * world. Full blocks take less than a byte for each cell, ramps some four. */
 LGS_API lgs_status lgs_save(const lgs_world* world, lgs_write_fn write, void* user, lgs_error* error) LGS_NOTHROW;
 
-/* The same into a buffer, as a list of bytes. */
+/* The same into a buffer, as a list of bytes. Refused: LGS_UNCOMMITTED. */
 LGS_API lgs_status lgs_save_to_buffer(const lgs_world* world, uint8_t* bytes, size_t capacity, size_t* count,
                                       lgs_error* error) LGS_NOTHROW;
 

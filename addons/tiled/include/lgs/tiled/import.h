@@ -20,7 +20,7 @@
 //
 // HAND-DRAWN SHAPES. Each coordinate that misses a grid line by at most `Options::tolerance` pixels moves onto the
 // line, then it is rounded once, to the nearest lattice unit. If that brought sides of a simple shape onto each other,
-// none of its vertices snaps, and the report says so. An outline may cross itself: inside is what Tiled fills. Shapes
+// none of its vertices snaps, and the report has a note. An outline may cross itself: inside is what Tiled fills. Shapes
 // are cut along the grid; what lies of a tile's shapes in other cells goes there. Where edges cross the grid or each
 // other the rounding is that of a brush (lgs/brush.h), at most one lattice unit.
 //
@@ -72,7 +72,7 @@ inline constexpr std::size_t kObjectCellsPerByte = 256;
 /// A layer whose path has more bytes than this is an error.
 inline constexpr std::size_t kMaxPathLength = 4'096;
 
-/// Reads a table as docs/maps.md, "Tiles by their numbers", describes it. The error is "LINE: what is wrong".
+/// Reads a table as docs/maps.md, "Tiles by their numbers", describes it. Refused: a bad line, as "LINE: what is wrong".
 tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
 
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
@@ -117,33 +117,34 @@ struct ImportedMap {
 /// How a FileReader begins the reason why it has no such file.
 inline constexpr std::string_view kNoSuchFile = "there is no such file";
 
-/// Returns the content of a file, or says why it can not. importMap() calls it with the map's path, and then with the
-/// path of each tileset, template, map or level: its name in the map, appended to the map's folder. A reader of your
-/// own can serve files from memory; then an import touches no file.
+/// Returns the content of a file, or the reason why it can not. importMap() calls it with the map's path, and then with
+/// the path of each tileset, template, map or level: its name in the map, appended to the map's folder. A reader of
+/// your own can serve files from memory; then an import touches no file.
 ///
 /// Maps are untrusted, and so are the names in them. Without Options::filesAnywhere and Options::filesIn a reader
 /// is called only for the map's path and for paths that lie below the map's folder as they are written: without "..",
 /// with slashes only. A reader of a server's disk must not follow links out of the folder, nor open what is no regular
-/// file, as it may block; readerBelow() is such a reader. What a reader says of a file that it can not read becomes
-/// part of the error. What it throws comes out of importMap(), and nothing is leaked; so it is with a FolderLister.
+/// file, as it may block; readerBelow() is such a reader. The reason that a reader returns becomes part of the
+/// error. What it throws comes out of importMap(), and nothing is leaked; so it is with a FolderLister.
 ///
-/// A reason that begins with kNoSuchFile says that the file is missing. A tileset that is missing loses its shapes and
-/// properties, and a world its map; the report says so. Any other reason is an error of the import.
+/// A reason that begins with kNoSuchFile means that the file is missing. A tileset that is missing loses its shapes and
+/// properties, and a world its map; the report has a note. Any other reason is an error of the import.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
-/// Returns the names of the files in a folder, without that of the folder, in any order; or says why it can not. Only a
+/// Returns the names of the files in a folder, without that of the folder, in any order; or the reason why not. Only a
 /// world with patterns of file names needs it. importMap() calls it at most once, with the world's folder ("." if its
 /// path has none), and sorts what comes back.
 using FolderLister = std::function<tl::expected<std::vector<std::string>, std::string>(const std::string& folder)>;
 
-/// Reads a regular file of at most 1 GiB from the disk. It never waits: a pipe or a device is an error.
+/// Reads a regular file of at most 1 GiB from the disk, and returns its content. It never waits. Refused: all else, such
+/// as a pipe or a device.
 tl::expected<std::string, std::string> readFile(const std::string& path);
 
 /// A reader for regular files in a folder of the disk and below it, which may be absolute or not. Paths begin with the
 /// folder, as it is given here. It follows symbolic links that stay below the folder, and no others.
 FileReader readerBelow(const std::string& folder);
 
-/// Lists a folder of the disk.
+/// Returns the names of the files in a folder of the disk. Refused: what is none, or may not be read.
 tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path);
 
 /// Reads a map, world or LDtk project, and what it names. Returns the polygons and the report. Refused: the first
