@@ -203,9 +203,14 @@ TEST_F(Box2dOverlap, WhatIsNotInMemoryIsNoPlatform) {
   };
   Terrain terrain(physics, field.world, options);
   const Body body = addBody({0.5F, -3.5F}, Form::ball, 0);  // below the floor, in its chunk
+  const Body other = addBody({4.5F, 2.5F}, Form::ball, 0);
+  EXPECT_TRUE(terrain.afterStep().empty());
   ASSERT_EQ(test::must(field.world.unload({{0, -32}, {31, -1}}, [](Cell, std::span<const std::byte>) {})), 1U);
   ASSERT_TRUE(terrain.commit(field.world));
   EXPECT_FALSE(fits(terrain, body));
+  moveTo(other, {4.5F, -3.5F});  // as if a step had pressed it there
+  terrain.afterStep();
+  EXPECT_GT(positionOf(other).y, 2);
 }
 
 // As when something heavy presses it through an edge.

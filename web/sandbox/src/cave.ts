@@ -23,7 +23,6 @@ const moods: readonly Mood[] = [
   { sky: [22, 26, 58], low: [92, 66, 112], hills: [46, 42, 86], rim: [158, 150, 236], dark: 0.5 },
   { sky: [92, 92, 164], low: [252, 178, 142], hills: [134, 104, 152], rim: [255, 204, 178], dark: 0.22 },
   { sky: [126, 198, 234], low: [253, 240, 212], hills: [158, 200, 206], rim: [255, 240, 190], dark: 0 },
-  { sky: [104, 78, 150], low: [255, 158, 116], hills: [150, 94, 130], rim: [255, 204, 160], dark: 0.2 },
 ]
 const shadow: Colour = [26, 22, 62]
 const rock: Colour = [87, 67, 74], cap: Colour = [217, 93, 74], soil: Colour = [181, 131, 90]
@@ -35,7 +34,7 @@ const mixed = (a: Colour, b: Colour, t: number): Colour => [0, 1, 2].map((n) => 
 const css = ([r, g, b]: Colour, alpha = 1) => `rgba(${Math.round(r)}, ${Math.round(g)}, ${Math.round(b)}, ${alpha})`
 
 export class Cave {
-  /** 0 is night, 2 day, 4 the next night. */
+  /** 0 is night, 2 day. */
   light = 0
   readonly #canvas: HTMLCanvasElement
   readonly #behind: HTMLCanvasElement
@@ -59,7 +58,7 @@ export class Cave {
 
   /** Over what the picture has drawn. */
   draw(now: number): void {
-    const k = Math.floor(this.light), t = this.light - k, from = moods[k % moods.length], to = moods[(k + 1) % moods.length]
+    const k = Math.floor(this.light), t = this.light - k, from = moods[k], to = moods[Math.min(k + 1, moods.length - 1)]
     const between = (name: 'sky' | 'low' | 'hills' | 'rim') => mixed(from[name], to[name], t)
     const mood = { sky: between('sky'), low: between('low'), hills: between('hills'), rim: between('rim'), dark: from.dark + (to.dark - from.dark) * t }
     const time = wantsCalm() ? 0 : now / 1000

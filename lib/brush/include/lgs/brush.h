@@ -52,19 +52,20 @@ struct Region {
 /// refused when the region is used.
 [[nodiscard]] Region region(std::span<const std::vector<DoublePoint>> rings, FillRule rule = FillRule::nonZero);
 
-/// Returns the least rectangle of cells with all of a region; an empty one, if the region has no vertices or no width or no
-/// height. Refused: outOfReach, as by paint(). Cost: it looks at each vertex.
+/// Returns the least rectangle of cells with all of a region; an empty one, if the region has no vertices or no width
+/// or no height. Refused: outOfReach, as by paint(). Cost: it looks at each vertex.
 [[nodiscard]] Expected<CellRect> boundsOf(const Region& region) noexcept;
 
-/// Returns the cells that have a part of a region, each once: those in which paint() and carve() may change something. Refused:
-/// as by paint(). Cost: as of paint() without the work in the cells.
+/// Returns the cells that have a part of a region, each once: those in which paint() and carve() may change something.
+/// Refused: as by paint(). Cost: as of paint() without the work in the cells.
 [[nodiscard]] Expected<std::vector<Cell>> cellsOf(const Region& region) noexcept;
 
-/// Returns a region but for another one: paint(world, *without(region, except), …) leaves `except` as it is. The vertices are
-/// those of both and where their edges cross, rounded to the lattice; so are the edges where they run from cell to
-/// cell. Every point in which it differs from the exact difference lies within two lattice units of an edge of either.
-/// Refused: as by painting the one and then carving the other in an empty world; Error::polygon counts the rings of
-/// `region`, and then those of `except`. Cost: as of these, and memory for the cells that are inside the region.
+/// Returns a region but for another one: paint(world, *without(region, except), …) leaves `except` as it is. The
+/// vertices are those of both and where their edges cross, rounded to the lattice; so are the edges where they run from
+/// cell to cell. Every point in which it differs from the exact difference lies within two lattice units of an edge of
+/// either. Refused: as by painting the one and then carving the other in an empty world; Error::polygon counts the
+/// rings of `region`, and then those of `except`. Cost: as of these, and memory for the cells that are inside the
+/// region.
 [[nodiscard]] Expected<Region> without(const Region& region, const Region& except) noexcept;
 
 /// Whether a region, its outline included, has a point in common with a simple counter-clockwise polygon. Nothing that
@@ -112,12 +113,13 @@ struct BrushResult {
 };
 
 /// Paints a region with a block. What is painted and the polygons that the region meets are united, in each cell, where
-/// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles;
-/// of several polygons rounding may make some anew, which `changed` names. Returns what became of polygons. Cells that are inside the region as a whole cost what add() and setBlock() cost.
-/// Refused, and nothing is changed: outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the
-/// ring, Error::vertex the vertex), or if the region is more than kMaxRegionCells wide or high, or was made with a
-/// length out of range; capacity, if a cell would hold too much (see limits.h), or the region is too much for it (see
-/// kMaxRegionEdgesPerCell); unloaded, if it has a part of an unloaded cell. A region without area changes nothing.
+/// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles; of
+/// several polygons rounding may make some anew, which `changed` names. Returns what became of polygons. Cells that are
+/// inside the region as a whole cost what add() and setBlock() cost. Refused, and nothing is changed: outOfReach, if a
+/// vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or if the region is
+/// more than kMaxRegionCells wide or high, or was made with a length out of range; capacity, if a cell would hold too
+/// much (see limits.h), or the region is too much for it (see kMaxRegionEdgesPerCell); unloaded, if it has a part of an
+/// unloaded cell. A region without area changes nothing.
 ///
 /// `staying` is called once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut
 /// where the region's edge meets them, and the corner there is rounded (law 8), so now and then such a polygon gets
