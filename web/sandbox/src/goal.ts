@@ -18,8 +18,8 @@ const crumbColours: Readonly<Record<number, string>> = { 1: '#8d6244', 2: '#d8cf
 const dustColour = '#d9c3a5'
 const feast = 2.5 // seconds, when all places are full
 const day = 2 // as the cave counts light
-const tasks = ['Dig the crystals free.', 'Boulders break crystals.', 'Cut the ropes.'] // of the caverns in turn
-const walkOn = 'Walk on: another cavern.'
+const tasks = ['Drag to dig crystals free.', 'Boulders break crystals.', 'Cut the ropes.'] // of the caverns in turn
+const walkOn = 'Day! Walk on to the next cavern.'
 
 /** What a visitor has done, for the goal. */
 export interface Deeds {
@@ -44,7 +44,8 @@ export class Goal {
   #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
   #told = 0 // of gold
   readonly #arrived = new Map<number, number>() // crystals of a cavern that are in their places
-  #here = 0 // the cavern that is seen
+  #here = 0 // the cavern that is counted: where one dug, or walked to
+  #x = 0 // where the picture was
   #feast = 0 // seconds that are left of it
   #shake = 0 // pixels
 
@@ -90,6 +91,7 @@ export class Goal {
     if (event.buttons === 0) return
     const [x, y] = this.#picture.at(event), [fx, fy] = event.type === 'pointermove' && this.#dug !== null ? this.#dug.at : [x, y]
     const cells = { i0: Math.floor(Math.min(x, fx) - 1), j0: Math.floor(Math.min(y, fy) - 1), i1: Math.floor(Math.max(x, fx) + 1), j1: Math.floor(Math.max(y, fy) + 1) }
+    this.#goTo(cavernAt(x))
     this.#dug = { at: [x, y], cells, gold: this.crystals.goldIn(cells) }
     for (let k = 0; k < 6; ++k) {
       const at = [x + 0.55 * Math.cos(k), y + 0.55 * Math.sin(k)] as const, spot = this.#ground.world.at(...at)
@@ -171,24 +173,32 @@ export class Goal {
     if (this.#feast <= 0) this.#say()
   }
 
-  /** In which cavern one is, and whether there is nothing to do but to walk. */
+  #goTo(cavern: number): void {
+    if (cavern === this.#here) return
+    this.#here = cavern
+    this.#feast = 0
+    this.#fill()
+    this.#say()
+  }
+
+  /** Where one walked, and whether there is nothing to do but to walk. */
   #lookAround(): void {
-    const { x, size } = this.#picture, wide = this.#canvas.clientWidth / size, here = cavernAt(x + wide / 2)
-    if (here !== this.#here) {
-      this.#here = here
-      this.#feast = 0
-      this.#fill()
-      this.#say()
-    }
+    const { x, size } = this.#picture, wide = this.#canvas.clientWidth / size
+    if (x !== this.#x) this.#goTo(cavernAt(x + wide / 2))
+    this.#x = x
+    const here = this.#here
     const all = this.crystals.glowing.map(([at]) => at), isSeen = all.some((at) => at > x && at < x + wide)
-    const toLeft = !isSeen && all.some((at) => at <= x && cavernAt(at) === here) && !all.some((at) => at >= x + wide && cavernAt(at) === here)
+    const toLeft = !isSeen && !this.#isDone && all.some((at) => at <= x && cavernAt(at) === here) && !all.some((at) => at >= x + wide && cavernAt(at) === here)
     element('dig-left').classList.toggle('asks', toLeft)
-    element('dig-right').classList.toggle('asks', !isSeen && !toLeft && this.#feast <= 0)
+    element('dig-right').classList.toggle('asks', this.#feast <= 0 && (this.#isDone || (!isSeen && !toLeft)))
+  }
+
+  get #isDone(): boolean {
+    return this.#inPlace(this.#here) >= this.#places.length
   }
 
   #say(): void {
-    const isDone = this.#inPlace(this.#here) >= this.#places.length
-    this.#lead.textContent = isDone ? walkOn : tasks[((this.#here % tasks.length) + tasks.length) % tasks.length]
+    this.#lead.textContent = this.#isDone ? walkOn : tasks[((this.#here % tasks.length) + tasks.length) % tasks.length]
   }
 
   /** The places of the crystals of this cavern. */
