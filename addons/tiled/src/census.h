@@ -9,12 +9,10 @@ namespace lgs::tiled {
 struct LayerFacts {
   std::string name;  ///< its path, without that of its map or level
   LayerKind kind{};
-  Saying saying;            ///< of its name, class or a property
-  std::string why;          ///< in words
-  bool isDrawn = false;     ///< of LDtk, and only drawn
-  bool isForOther = false;  ///< its name has a word for another use, such as "background"
-  bool isOnlySeen = false;  ///< its name says that it lies behind or above the others
-  bool isPassable = false;  ///< its name or a property says that bodies go through it, or die
+  Saying saying;         ///< of its name, class or a property
+  std::string why;       ///< in words
+  bool isDrawn = false;  ///< of LDtk, and only drawn
+  Uses uses;             ///< of its name; isPassable also if a property says so
 
   std::uint64_t tiles = 0;     ///< that are not empty
   std::uint64_t shaped = 0;    ///< of these, with shapes of their own

@@ -70,8 +70,8 @@ class Chooser {
     Layers pictures;
     bool areAll = true;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != LayerKind::tiles || layer.isPassable || !(isShaped(layer) || hasRule(layer))) continue;
-      const bool isPicture = layer.isOnlySeen || (isSaid && layer.saying.isFloor() && isFull(layer));
+      if (layer.kind != LayerKind::tiles || layer.uses.isPassable || !(isShaped(layer) || hasRule(layer))) continue;
+      const bool isPicture = layer.uses.isOnlySeen || (isSaid && layer.saying.isFloor() && isFull(layer));
       isPicture ? pictures.push_back(&layer) : void(areAll = false);
     }
     if (!areAll) pictures_ = namesOf(pictures);
@@ -87,7 +87,7 @@ class Chooser {
       if (layer.kind != LayerKind::tiles || layer.isDrawn || layer.tiles == 0) continue;
       all.push_back(&layer);
       if (layer.saying.word.starts_with("coll")) called.push_back(&layer);  // "Solid" may be one of several materials
-      if (!layer.isForOther || isForeground(layer.name)) some.push_back(&layer);
+      if (!layer.uses.isOther || layer.uses.isForeground) some.push_back(&layer);
     }
     if (std::any_of(all.begin(), all.end(), [](const LayerFacts* layer) { return layer->saying.isWall(); }))
       std::erase_if(some, [](const LayerFacts* layer) { return layer->saying.isFloor(); });
@@ -126,7 +126,7 @@ class Chooser {
   Layers saying(LayerKind kind, Says says) const {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != kind || layer.saying.says != says || layer.isPassable || isMixed(layer)) continue;
+      if (layer.kind != kind || layer.saying.says != says || layer.uses.isPassable || isMixed(layer)) continue;
       const bool isThere = kind == LayerKind::objects ? isDrawnByHand(layer) : layer.tiles > 0;
       if (isThere && !(kind == LayerKind::tiles && (isFull(layer) || isWalkedOn(layer)))) layers.push_back(&layer);
     }
@@ -154,7 +154,7 @@ class Chooser {
     Layers shaped;
     std::uint64_t uses = 0;
     for (const LayerFacts& layer : facts_.layers) {
-      if (!isShaped(layer) || layer.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
+      if (!isShaped(layer) || layer.uses.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
       shaped.push_back(&layer);
       uses += layer.shaped;
     }
@@ -291,8 +291,7 @@ class Chooser {
     }
     const auto key = [](const LayerFacts* layer) {
       if (layer->kind == LayerKind::tiles)
-        return std::tuple(1, isFull(*layer), isTiny(*layer), layer->isForOther, !isMainName(layer->name),
-                          -layer->share());
+        return std::tuple(1, isFull(*layer), isTiny(*layer), layer->uses.isOther, !layer->uses.isMain, -layer->share());
       const bool areOthers = layer->saying.says == Says::nothing && areThings(*layer);
       return std::tuple(areOthers ? 2 : 0, layer->figures > 0, false, false, false, 0.0);
     };

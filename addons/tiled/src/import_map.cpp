@@ -152,7 +152,7 @@ class WholeImport {
           offer(map, choice.options, "hidden, and --visible leaves it out: " + choice.text, false);
     }
     const auto lines = std::find_if(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& layer) {
-      return layer.lines > 0 && layer.saying.says != Says::nothing && !layer.isPassable;
+      return layer.lines > 0 && layer.saying.says != Says::nothing && !layer.uses.isPassable;
     });
     if (lines != facts_.layers.end() && options_.polylineThickness == 0) {
       Options thick = options_;
