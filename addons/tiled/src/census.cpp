@@ -85,7 +85,7 @@ class Census {
     }
     for (RuleFacts* const rule : rules) rule->isOfShaped = true;
     for (const auto& [number, count] : uses) takeTile(map, facts, rules, number, count);
-    if (facts.uses.isPassable && facts.shaped > 0) pass(facts.name, facts.shaped, true);
+    if (facts.uses.isPassable && facts.shaped + facts.ruled > 0) pass(facts.name, facts.shaped + facts.ruled, true);
   }
 
   /// The first property that says that something is not solid.
@@ -162,10 +162,8 @@ class Census {
     std::set<RuleFacts*> rules(ofLayer.begin(), ofLayer.end());
     rules.insert(all.rules.begin(), all.rules.end());
     if (facts.isDrawn) rules.erase(ruleFacts("class", tile.className));  // which is the name of the layer
-    for (RuleFacts* const rule : rules) {
-      rule->uses += uses;
-      rule->layers[facts.name] += uses;
-    }
+    if (!rules.empty()) facts.ruled += uses;
+    for (RuleFacts* const rule : rules) rule->uses += uses;
   }
 
   /// The rule that takes what has a property; null if the property says nothing.

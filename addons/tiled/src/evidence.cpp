@@ -52,13 +52,6 @@ class Chooser {
     result_.push_back({evidence, std::move(options), std::move(text)});
   }
 
-  static bool isShaped(const LayerFacts& layer) { return layer.kind == LayerKind::tiles && layer.shaped > 0; }
-
-  bool hasRule(const LayerFacts& layer) const {
-    return std::any_of(facts_.rules.begin(), facts_.rules.end(),
-                       [&](const auto& rule) { return rule.second.layers.contains(layer.name); });
-  }
-
   /// No choice takes what is deadly or passable; nor pictures: backgrounds and what is above the player, whose tiles
   /// only look the same as those of another layer, and a floor that fills the map, if a layer says collision.
   void leaveOut() {
@@ -70,7 +63,7 @@ class Chooser {
     Layers pictures;
     bool areAll = true;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != LayerKind::tiles || layer.uses.isPassable || !(isShaped(layer) || hasRule(layer))) continue;
+      if (layer.uses.isPassable || layer.shaped + layer.ruled == 0) continue;
       const bool isPicture = layer.uses.isOnlySeen || (isSaid && layer.saying.isFloor() && isFull(layer));
       isPicture ? pictures.push_back(&layer) : void(areAll = false);
     }
@@ -154,7 +147,7 @@ class Chooser {
     Layers shaped;
     std::uint64_t uses = 0;
     for (const LayerFacts& layer : facts_.layers) {
-      if (!isShaped(layer) || layer.uses.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
+      if (layer.shaped == 0 || layer.uses.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
       shaped.push_back(&layer);
       uses += layer.shaped;
     }

@@ -61,10 +61,11 @@ constexpr auto kSeen = std::to_array<std::string_view>({"back", "bg", "far", "fg
 constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "background", "behind", "below", "foreground"});
 
 /// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
-constexpr auto kPassableBegins = std::to_array<std::string_view>(
-    {"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "sensor", "spike", "trigger"});
+constexpr auto kPassableBegins =
+    std::to_array<std::string_view>({"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "rope",
+                                     "sensor", "spike", "trigger", "vine"});
 constexpr auto kFluidBegins =
-    std::to_array<std::string_view>({"acid", "empty", "hole", "lava", "pit", "rope", "vine", "void", "water"});
+    std::to_array<std::string_view>({"acid", "empty", "hole", "lava", "pit", "void", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties = std::to_array<std::string_view>(

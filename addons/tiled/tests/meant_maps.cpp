@@ -38,6 +38,10 @@ std::vector<MeantMap> meantMaps() {
       {"shapes in most tiles of the ground", mapOf(shape, tiles("Ground", "......../......d./aaaaaaaa/aaaaaaaa")), U},
       {"spikes have shapes, platforms have none", mapOf(tile('d', kShape), tiles("Spikes", K) + tiles("Platforms", P)),
        P},
+      {"spikes have the property of the ground",
+       mapOf(has('a', "collides") + has('d', "collides"),
+             tiles("World", G) + tiles("Spikes", "......../......../....dd../........")),
+       G},
       {"few of the platforms have shapes", mapOf(shape, tiles("Platforms", "......../.abb..../....bbb./........")), P},
 
       {"shapes in tiles, and the same tiles behind",
