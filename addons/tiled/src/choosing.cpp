@@ -123,7 +123,7 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
     const bool due = isDue(layer, choice, facts.isLdtk);
     const auto add = [&](std::string text, std::string offer, bool isPart, const auto& take) {
       if (result.size() == kMaxSuggestions) return;  // as many commands follow
-      result.push_back({std::move(text), choice.options, std::move(offer), isPart});
+      result.push_back({std::move(text), choice.options, std::move(offer), isPart, says || isWater || isBegun});
       take(result.back().options);
       if (isPart) take(all);
     };

@@ -289,8 +289,17 @@ class Chooser {
       return std::tuple(areOthers ? 2 : 0, layer->figures > 0, false, false, false, 0.0);
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
+    constexpr std::size_t kMostTogether = 4;  // of more some are decoration
+    Layers plain;                             // nobody can tell which of them is the ground, or whether all are
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(plain), [&](const LayerFacts* layer) {
+      return layer->kind == LayerKind::tiles && layer->saying.says == Says::nothing && !isFull(*layer) &&
+             !isTiny(*layer) && !layer->uses.isOther && !layer->uses.isMain;
+    });
     for (const LayerFacts* layer : layers) {
       const bool ofTiles = layer->kind == LayerKind::tiles;
+      if (plain.size() > 1 && plain.size() <= kMostTogether && layer == plain.front())
+        add(Evidence::offered, wholeLayers(plain),
+            "tile layers " + listed(namesOf(plain)) + ": nothing says what they are");
       Options options = ofTiles ? wholeLayers({layer}) : options_;
       if (!ofTiles) options.objects = {layer->name};
       if (layer->bareFigures > 0 &&

@@ -24,7 +24,7 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
   bool end_array() { return close(); }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& exception) {
     const std::string_view read = text_.substr(0, position);
-    fault.line = 1 + static_cast<std::size_t>(std::count(read.begin(), read.end(), '\n')) - read.ends_with('\n');
+    fault.line = static_cast<int>(1 + std::count(read.begin(), read.end(), '\n') - read.ends_with('\n'));
     std::string_view what = exception.what();  // "[json.exception.parse_error.101] parse error at …: what"
     const auto colon = what.find(": ");
     what = what.substr(colon == std::string_view::npos ? what.find("] ") + 2 : colon + 2);
@@ -34,12 +34,12 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
     return false;
   }
 
-  JsonFault fault;
+  ImportError fault;
 
  private:
   bool open() {
     if (depth_++ < kMaxJsonDepth) return true;
-    fault = {0, concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep")};
+    fault.what = concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep");
     return false;
   }
   bool close() {
@@ -103,7 +103,7 @@ const char* tiledKind(const JsonPlace& root) {
 
 }  // namespace
 
-tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote) {
+tl::expected<Json, ImportError> parseJson(std::string_view text, bool mayQuote) {
   Checker checker(text, mayQuote);
   if (!Json::sax_parse(text.begin(), text.end(), &checker)) return tl::unexpected(std::move(checker.fault));
   return Json::parse(text.begin(), text.end(), nullptr, false);
@@ -201,9 +201,10 @@ std::string isForeign(std::string_view what) {
 }
 
 void readJson(const XmlFile& file, std::string_view text, pugi::xml_document& document) {
-  const auto json = parseJson(text, file.mayQuote());
+  auto json = parseJson(text, file.mayQuote());
   if (!json) {
-    file.error() = ImportError{file.name(), static_cast<int>(json.error().line), "", json.error().what};
+    json.error().file = file.name();
+    file.error() = std::move(json.error());
     return;
   }
   const JsonPlace root{&*json, "", &file};

@@ -57,6 +57,12 @@ std::vector<MeantMap> meantMaps() {
                         tiles("obstacles", "...a..../......../......../........")),
        "...a..../......../aaaaaaaa/aaaaaaaa"},
 
+      // Of what nothing speaks for all together is offered first, and after that for which something does.
+      {"two layers that nothing tells apart", mapOf(none, tiles("Red", P) + tiles("Blue", U)), GP},
+      {"a property of some tiles of the walls, and a layer that says nothing",
+       mapOf(has('a', "tile", "block"), tiles("static", "......../.abb..../aaaaaaaa/bbbbbbbb") + tiles("Things", D)),
+       "......../.a....../aaaaaaaa/........"},
+
       // All that says collision counts together.
       {"a layer that is solid by a property, with few shapes", mapOf(shape, tiles("Main", GP, "solid")), GP},
       {"a solid layer, and shapes in another",
