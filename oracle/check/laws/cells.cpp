@@ -35,7 +35,8 @@ class CellsLaw : public Law {
     if (kind == follow) isOn_ = judged.call.nth % 2 != 0;
     if (kind == follow) told_ = cellsOf(seen.world());
     if (kind == load) isOn_ = false;
-    if (isOn_) note(cellsOf(seen.world()), isOfMemory(kind));
+    if (isOfMemory(kind) || kind == leave) isOrdered_ = false;  // cells that come and go are named, too
+    if (isOn_) note(cellsOf(seen.world()));
     return std::nullopt;
   }
 
@@ -69,12 +70,12 @@ class CellsLaw : public Law {
   }
 
   // Which edit was the first since the last commit to change each cell.
-  void note(std::map<Cell, Content> now, bool isNoEdit) {
+  void note(std::map<Cell, Content> now) {
     ++calls_;
     for (const auto& [cell, content] : now)
-      if (now_[cell] != content && !isNoEdit) first_.try_emplace(cell, calls_);
+      if (now_[cell] != content) first_.try_emplace(cell, calls_);
     for (const auto& [cell, content] : now_)
-      if (!now.contains(cell) && !isNoEdit) first_.try_emplace(cell, calls_);
+      if (!now.contains(cell)) first_.try_emplace(cell, calls_);
     now_ = std::move(now);
   }
 
@@ -106,7 +107,7 @@ class CellsLaw : public Law {
   std::map<Cell, Content> now_;  // edits that are pending, too
   std::map<Cell, std::uint64_t> first_;
   std::uint64_t calls_ = 0;
-  bool isOrdered_ = true;  // whether first_ has all edits since the last commit
+  bool isOrdered_ = true;  // whether the order is that of first_ alone
 };
 
 }  // namespace
