@@ -19,7 +19,7 @@ const dustColour = '#d9c3a5'
 const feast = 2.5 // seconds, when all places are full
 const day = 2 // as the cave counts light
 const tasks = ['Drag to dig crystals free.', 'Boulders break crystals.', 'Cut the ropes.'] // of the caverns in turn
-const walkOn = 'Day! Walk on to the next cavern.'
+const walkOn = 'Day! Walk on.'
 
 /** What a visitor has done, for the goal. */
 export interface Deeds {
