@@ -27,7 +27,7 @@ struct Blade {
 
 static_assert(kMostConvexPieces < 32, "a Corner has a bit for each blade");
 
-/// A vertex of an outline, or of another one where it lies on an edge of this one. An edge runs from it to the next one.
+/// A vertex of an outline, or of another one on an edge of this one. An edge runs from it to the next corner.
 struct Corner {
   Point at;
   std::size_t area, next;
@@ -169,8 +169,8 @@ class Clip {
     corners_[k].endCut = cuts_.size();
   }
 
-  /// Whether no edge passes a pixel of another vertex or crossing. It may have vertices of other groups on it. If one of
-  /// its own group lies on it, the outline touches itself there, and so would what is left.
+  /// Whether no edge passes a pixel of another vertex or crossing. Vertices of other groups may lie on it. If one of its
+  /// own group does, the outline touches itself there, and so would what is left.
   bool bendsNothing() {
     hot_.reserve(corners_.size() + kCorners.size() + region_.size() + cuts_.size());
     for (const Corner& c : corners_) hot_.push_back(c.at);
