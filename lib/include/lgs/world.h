@@ -103,13 +103,11 @@ class World {
 
   // --- Edits --------------------------------------------------------------------------------------------------------
 
-  /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon.
-  /// Refused: cellOutOfRange, unloaded, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
-  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block) noexcept;
-
-  /// The same. `handles` receives the handles of all polygons in the shape's order, or as many as it has room for.
+  /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon;
+  /// `handles` receives those of all its polygons in the shape's order, or as many as it has room for. Refused:
+  /// cellOutOfRange, unloaded, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block,
-                                            std::span<PolygonHandle> handles) noexcept;
+                                            std::span<PolygonHandle> handles = {}) noexcept;
 
   /// The same for a polygon given by its vertices, which is also refused as by shape(). If it was seen before this
   /// costs a hash, otherwise it is validated.
@@ -273,7 +271,7 @@ class World {
   /// gets the bytes of each: its polygons, blocks and handles, as they are after all edits, committed or not. Returns
   /// how many chunks these are. Refused:
   /// cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells of these
-  /// chunks, and of each to what was undone and can come back.
+  /// chunks.
   [[nodiscard]] Expected<std::uint64_t> unload(const CellRect& cells, const ChunkSink& sink) noexcept;
 
   /// A chunk comes back as it was, to the last handle; but for what a roll-back or redo changed since. Returns its
