@@ -102,13 +102,6 @@ void fetch(const World::Impl& world, PolygonHandle polygon) {
   fetch(world, [&] { return polygon.cellRef; });
 }
 
-// Where it is inlined into World::add() the usual case, which does not need it, is slower.
-[[gnu::noinline]] Expected<PolygonHandle> addAny(World::Impl& world, Cell cell, ShapeId shape, Block block,
-                                                 std::span<PolygonHandle> handles) {
-  fetch(world, cell);
-  return world.edit.add(cell, shape, block, handles);
-}
-
 }  // namespace
 
 World::World(PreserveRelation preserve, Handles /*handles*/) noexcept
@@ -164,9 +157,15 @@ Expected<LocalBox> World::boundingBox(ShapeId shape) const noexcept {
 
 // --- Edits
 
-Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) noexcept {
-  if (PolygonHandle handle; handles.empty() && impl_->edit.addSole(cell, shape, block, handle)) return handle;
-  return addAny(*impl_, cell, shape, block, handles);
+Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block) noexcept {
+  if (PolygonHandle handle; impl_->edit.addSole(cell, shape, block, handle)) return handle;
+  return add(cell, shape, block, std::span<PolygonHandle>());
+}
+// Where it is inlined into the one above, the usual case is slower.
+[[gnu::noinline]] Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block,
+                                                     std::span<PolygonHandle> handles) noexcept {
+  fetch(*impl_, cell);
+  return impl_->edit.add(cell, shape, block, handles);
 }
 Expected<PolygonHandle> World::add(Cell cell, std::span<const LocalPoint> polygon, Block block) noexcept {
   fetch(*impl_, cell);

@@ -103,11 +103,13 @@ class World {
 
   // --- Edits --------------------------------------------------------------------------------------------------------
 
-  /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon;
-  /// `handles` receives those of all its polygons in the shape's order, or as many as it has room for. Refused:
-  /// cellOutOfRange, unloaded, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
+  /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon.
+  /// Refused: cellOutOfRange, unloaded, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block) noexcept;
+
+  /// The same. `handles` receives the handles of all polygons in the shape's order, or as many as it has room for.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block,
-                                            std::span<PolygonHandle> handles = {}) noexcept;
+                                            std::span<PolygonHandle> handles) noexcept;
 
   /// The same for a polygon given by its vertices, which is also refused as by shape(). If it was seen before this
   /// costs a hash, otherwise it is validated.
