@@ -47,23 +47,6 @@ class Planner {
   std::size_t at_;
 };
 
-template <class First, class Back>
-void run(Incremental& subject, const EditPlan& plan, EditTimes& times, const std::function<void()>& afterEdit,
-         First first, Back back) {
-  times.first.reserve(plan.cells.size());
-  times.back.reserve(plan.cells.size());
-  const auto edit = [&](Times& taken, std::size_t cell, auto& work) {
-    subject.find(cell);
-    const Nanoseconds time = timeOf([&] { work(cell); });
-    taken.add(subject.ownTime().value_or(time));
-    if (afterEdit) afterEdit();
-  };
-  for (std::size_t k = 0; k < plan.cells.size() + plan.lag; ++k) {
-    if (k < plan.cells.size()) edit(times.first, plan.cells[k], first);
-    if (k >= plan.lag) edit(times.back, plan.cells[k - plan.lag], back);
-  }
-}
-
 }  // namespace
 
 EditPlan planEdits(const Tiles& tiles, std::size_t count, Where where, std::uint64_t seed) {
@@ -86,22 +69,24 @@ std::vector<std::uint32_t> distinctCells(const Tiles& tiles, std::size_t count, 
 
 void timeRemovesAndAdds(Incremental& subject, const Tiles& tiles, const EditPlan& plan, EditTimes& times,
                         const std::function<void()>& afterEdit) {
-  run(
-      subject, plan, times, afterEdit, [&](std::size_t cell) { subject.remove(cell); },
-      [&](std::size_t cell) { subject.add(cell, tiles.at[cell]); });
-}
-
-void timeReplaces(Incremental& subject, const Tiles& tiles, const EditPlan& plan, EditTimes& times,
-                  const std::function<void()>& afterEdit) {
-  const auto other = [&](std::size_t cell) {
-    std::size_t kind = tiles.at[cell];
-    do kind = (kind + 1) % tiles.kinds.size();
-    while (tiles.kinds[kind].polygons.empty());
-    return kind;
+  times.first.reserve(plan.cells.size());
+  times.back.reserve(plan.cells.size());
+  const auto edit = [&](Times& taken, std::size_t cell, const auto& work) {
+    subject.find(cell);
+    const Nanoseconds time = timeOf(work);
+    taken.add(subject.ownTime().value_or(time));
+    if (afterEdit) afterEdit();
   };
-  run(
-      subject, plan, times, afterEdit, [&](std::size_t cell) { subject.replace(cell, other(cell)); },
-      [&](std::size_t cell) { subject.replace(cell, tiles.at[cell]); });
+  for (std::size_t k = 0; k < plan.cells.size() + plan.lag; ++k) {
+    if (k < plan.cells.size()) {
+      const std::size_t cell = plan.cells[k];
+      edit(times.first, cell, [&] { subject.remove(cell); });
+    }
+    if (k >= plan.lag) {
+      const std::size_t cell = plan.cells[k - plan.lag];
+      edit(times.back, cell, [&] { subject.add(cell, tiles.at[cell]); });
+    }
+  }
 }
 
 }  // namespace lgs::bench

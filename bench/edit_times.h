@@ -31,16 +31,12 @@ EditPlan planEdits(const Tiles& tiles, std::size_t count, Where where, std::uint
 std::vector<std::uint32_t> distinctCells(const Tiles& tiles, std::size_t count, std::uint64_t seed);
 
 struct EditTimes {
-  Times first;  ///< removing, or replacing by another kind
-  Times back;   ///< adding, or replacing by the original kind
+  Times first;  ///< removing
+  Times back;   ///< adding
 };
 
 /// Removes and adds. `afterEdit` is called after each edit, and is not timed.
 void timeRemovesAndAdds(Incremental& subject, const Tiles& tiles, const EditPlan& plan, EditTimes& times,
                         const std::function<void()>& afterEdit = {});
-
-/// Replaces by another kind that is not empty, and back.
-void timeReplaces(Incremental& subject, const Tiles& tiles, const EditPlan& plan, EditTimes& times,
-                  const std::function<void()>& afterEdit = {});
 
 }  // namespace lgs::bench

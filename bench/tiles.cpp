@@ -81,7 +81,7 @@ oracle::Scene Tiles::scene() const {
 
 Tiles fullTiles(Size size) {
   Tiles tiles = emptyTiles("full", size);
-  tiles.kinds = {{{{kUnitSquare.begin(), kUnitSquare.end()}}}, kRamps[0]};
+  tiles.kinds.push_back({{{kUnitSquare.begin(), kUnitSquare.end()}}});
   return tiles;
 }
 

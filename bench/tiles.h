@@ -24,7 +24,7 @@ struct Tiles {
   std::string name;
   std::int32_t width = 0;  ///< cells
   std::int32_t height = 0;
-  std::vector<Kind> kinds;        ///< all that occur; in a world of one kind also another, to replace it by
+  std::vector<Kind> kinds;        ///< all that occur
   std::vector<std::uint16_t> at;  ///< the kind in each cell, by rows
 
   std::size_t size() const { return at.size(); }

@@ -1,21 +1,15 @@
-// Strokes of brushes on a ground of 3×3 cells: after each of them the outline is the naive reference's, what the stroke
-// does not reach stays (law 9), and none is refused (law 11). To carve the first region out of solid ground, and to
-// fill it again, leaves no seam (law 10). How far strokes are from the exact result (law 8) CGAL measures in
-// `lgs check --brushes`: here it would take most of the time.
+// Strokes of brushes on a ground of 3×3 cells, by the laws of `lgs check`; none of them is refused. How far strokes are
+// from the exact result (law 8) CGAL measures there: here it would take most of the time.
 //
 //   header  byte 0      the ground: empty, solid, or two blocks with a slanted seam in each cell
-//   record  byte 0      bits 0-3: the deed, or another ring of the stroke before. From kAnyForm on: a stroke of any form
-//                       (strokes.h), of which all other bytes are the seed. A trace has none of these. They are made
-//                       after the others, on the same ground
+//   record  byte 0      bits 0-3: the deed, or another ring of the stroke before
 //           byte 1      bits 0, 1: the block; 2-4: the step of the lattice; 5, 6: how many vertices, 3 to 6
 //           bytes 2, 3  the middle, in sixteenths of a cell
 //           bytes 4-15  the vertices, x and y: so many steps from the middle
 #include "fuzz/check_edits.h"
-#include "fuzz/strokes.h"
 #include "fuzz/units.h"
 
 #include <fmt/format.h>
-#include <lgs/brush.h>
 #include <algorithm>
 #include <array>
 
@@ -29,8 +23,6 @@ using oracle::Trace;
 
 constexpr std::int64_t kCells = 3;
 constexpr std::size_t kMaxStrokes = 60;
-constexpr std::size_t kMaxOfAnyForm = 12;  // each is made several times over
-constexpr std::uint8_t kAnyForm = 192;
 
 std::vector<oracle::ScenePolygon> groundOf(unsigned kind) {
   std::vector<oracle::ScenePolygon> ground;
@@ -71,7 +63,6 @@ Trace traceOf(Bytes input) {
   std::size_t strokes = 0;
   for (std::size_t at = kRecord; at < bytes.size(); at += kRecord) {
     const Bytes record = Bytes(bytes).subspan(at, kRecord);
-    if (record[0] >= kAnyForm) continue;
     const unsigned deed = record[0] & 15U;
     const bool isNew = deed < 12 || strokes == 0;
     if (isNew && ++strokes > kMaxStrokes) break;
@@ -88,62 +79,16 @@ Trace traceOf(Bytes input) {
   return trace;
 }
 
-World worldOf(unsigned kind) {
-  World world;
-  for (const auto& [cell, block, vertices] : groundOf(kind)) static_cast<void>(world.add(cell, vertices, block));
-  world.commit();
-  return world;
-}
-
-// Outlines with straight lines as one segment each.
-std::vector<std::vector<Point>> outlinesOf(World& world) {
-  world.commit();
-  std::vector<std::vector<Point>> all;
-  for (const Loop& loop : world.loops(Collinear::merge)) all.push_back(loop.vertices);
-  return all;
-}
-
-// Law 10, for a region as far as it lies over solid ground.
-bool leavesASeam(const BrushEdit& brush) {
-  Region region{brush.rings, FillRule::evenOdd};
-  for (Ring& ring : region.rings)
-    for (Point& p : ring)
-      p = {std::clamp<std::int64_t>(p.x, 0, kCells * U), std::clamp<std::int64_t>(p.y, 0, kCells * U)};
-  World world = worldOf(1);
-  const auto solid = outlinesOf(world);
-  const bool isCarved = carve(world, region).has_value();
-  world.commit();
-  return !isCarved || !paint(world, region, 1, PaintMode::fill) || outlinesOf(world) != solid;
-}
-
 std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats) {
   const std::uint64_t refused = stats.refused;
   if (auto finding = checkEdits(trace, {.cgal = false}, stats)) return finding;
   // Fewer polygons than these stand in a cell, and all strokes are in range.
   if (stats.refused != refused) return Finding{"a stroke is refused\n"};
-  const auto first = std::ranges::find(trace.calls, Call::Kind::brush, &Call::kind);
-  if (first != trace.calls.end() && leavesASeam(first->brush))
-    return Finding{"to carve the first region out of solid ground, and to fill it again, leaves a seam\n"};
   return std::nullopt;
 }
 
-std::optional<Finding> checkAll(Bytes input, oracle::CheckStats& stats) {
-  if (auto finding = check<traceOf, checkTrace>(input, stats)) return finding;
-  World world = worldOf(input.empty() ? 0 : input[0] % 3U);
-  std::size_t strokes = 0;
-  for (std::size_t at = kRecord; at < input.size() && strokes < kMaxOfAnyForm; at += kRecord) {
-    const Bytes record = input.subspan(at, std::min(kRecord, input.size() - at));
-    if (record[0] < kAnyForm) continue;
-    oracle::Random random = seededBy(record);
-    ++strokes;
-    ++stats.edits;
-    if (const std::string wrong = strokeAndGoBack(world, random, record[0] % 2 != 0); !wrong.empty())
-      return Finding{fmt::format("stroke {} of any form: {}\n", strokes, wrong)};
-  }
-  return std::nullopt;
-}
-
-constexpr Target kTarget{"brush", "strokes of brushes on a small world", checkAll, traceOf, checkTrace};
+constexpr Target kTarget{"brush", "strokes of brushes on a small world", check<traceOf, checkTrace>, traceOf,
+                         checkTrace};
 
 }  // namespace
 }  // namespace brush_target

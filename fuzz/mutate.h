@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fuzz/target.h"
+#include "oracle/calls/random.h"
 
 #include <cstdint>
 #include <vector>

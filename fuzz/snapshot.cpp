@@ -1,9 +1,8 @@
 // Bytes that claim to be a saved world, or a chunk of one. The checksum is made right, so that what follows it is read. Then the bytes are
 // refused, or are a world like any other: its outline is the naive reference's, it can be saved and loaded again,
 // edited and emptied.
-#include "fuzz/beside.h"
-#include "fuzz/same.h"
 #include "fuzz/target.h"
+#include "oracle/check/observed.h"
 #include "oracle/check/window.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
@@ -29,8 +28,8 @@ constexpr std::array kWords{// Numbers as a snapshot has them.
 
 constexpr std::size_t kHead = 8, kTail = 4;   // letters and version; checksum
 constexpr std::uint64_t kManyPolygons = 200;  // the reference takes its time
-constexpr std::uint64_t kFewPolygons = 30;
 
+using oracle::saved;
 using Snapshot = std::vector<std::byte>;
 
 /// CRC-32, bit by bit.
@@ -104,11 +103,6 @@ std::optional<Finding> checkWorld(World world, bool preserves, std::size_t size)
   if (!samePolygons(world, *twin)) return Finding{"saved and loaded again it has other polygons\n"};
   if (const std::string difference = differenceByLaws(world, preserves); !difference.empty())
     return Finding{difference};
-  // A loaded world is like any other: one of these, too.
-  oracle::Random random(size);
-  if (stats.polygons <= kFewPolygons && stats.segments <= kManyPolygons)
-    if (const std::string wrong = beside(world, static_cast<unsigned>(again.size()), random); !wrong.empty())
-      return Finding{"beside the edits: " + wrong + "\n"};
   if (!world.clear(world.bounds().value_or(CellRect{}))) return Finding{"it can not be emptied\n"};
   const std::size_t removed = world.commit().removed.size();
   if (removed != stats.segments || !world.segments().empty()) return Finding{"emptied it still has segments\n"};

@@ -1,7 +1,6 @@
 // What is fuzzed: each target is one function from bytes to a finding, or none. The drivers know nothing else of it.
 #pragma once
 
-#include "oracle/calls/random.h"
 #include "oracle/check/checker.h"
 #include "oracle/generate/generator.h"
 #include "oracle/trace/trace.h"
@@ -45,13 +44,6 @@ struct Target {
 #define LGS_FUZZ_TARGET_OF(name) extern const Target name;
 LGS_FUZZ_TARGETS(LGS_FUZZ_TARGET_OF)  // kEdits, kPolygons, …: CMakeLists.txt has the list
 #undef LGS_FUZZ_TARGET_OF
-
-/// A record as the seed of random choices.
-inline oracle::Random seededBy(Bytes record) {
-  std::uint64_t seed = 0;
-  for (const std::uint8_t byte : record) seed = seed * 257 + byte;
-  return oracle::Random(seed);
-}
 
 inline std::string_view textOf(Bytes input) { return {reinterpret_cast<const char*>(input.data()), input.size()}; }
 

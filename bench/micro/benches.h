@@ -32,14 +32,12 @@ Built& built(const std::string& world, std::int64_t cells);
 /// Puts median, p99 and maximum into the counters; their names begin with the prefix.
 void putTimes(benchmark::State& state, const Times& times, const std::string& prefix = {});
 
-void registerEdits(const Scale& scale);       ///< single edits: add, remove, replace; dig and refill
-void registerBatches(const Scale& scale);     ///< many edits with one commit
-void registerBuilds(const Scale& scale);      ///< time and memory of a world from nothing
-void registerReads(const Scale& scale);       ///< changes, segments, loops
-void registerWorst(const Scale& scale);       ///< the edits that cost most
-void registerInterfaces(const Scale& scale);  ///< by C++ and by C
-void registerIslands(const Scale& scale);     ///< a bridge is cut, beside a flood fill
-void registerBrushes(const Scale& scale);     ///< holes of any shape, beside Clipper
-void registerPieces(const Scale& scale);      ///< convex pieces, beside those of a chunk worked out anew
+void registerEdits(const Scale& scale);    ///< single edits: add and remove; dig and refill
+void registerBatches(const Scale& scale);  ///< many edits with one commit
+void registerBuilds(const Scale& scale);   ///< time and memory of a world from nothing
+void registerWorst(const Scale& scale);    ///< the edits that cost most
+void registerIslands(const Scale& scale);  ///< a bridge is cut, beside a flood fill
+void registerBrushes(const Scale& scale);  ///< holes of any shape, beside Clipper
+void registerPieces(const Scale& scale);   ///< convex pieces, beside those of a chunk worked out anew
 
 }  // namespace lgs::bench

@@ -31,9 +31,8 @@ std::vector<std::string> readScale(CLI::App& app, int argc, char** argv, Scale& 
 }
 
 int run(int argc, char** argv) {
-  CLI::App app(
-      "Times the engine: single edits, batches, builds, reads, worst cases. `lgs bench` compares it with others.",
-      "lgs_bench");
+  CLI::App app("Times the engine: single edits, batches, builds, worst cases. `lgs bench` compares it with others.",
+               "lgs_bench");
   Scale scale;
   std::vector<std::string> others;
   try {
@@ -51,14 +50,10 @@ int run(int argc, char** argv) {
   registerBuilds(scale);
   registerEdits(scale);
   registerBatches(scale);
-  registerReads(scale);
   registerWorst(scale);
   registerBrushes(scale);
   registerPieces(scale);
   registerIslands(scale);
-#ifdef LGS_BENCH_C
-  registerInterfaces(scale);
-#endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

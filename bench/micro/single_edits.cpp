@@ -7,10 +7,7 @@
 namespace lgs::bench {
 namespace {
 
-using TimeEdits = decltype(timeRemovesAndAdds)*;
-
-void edits(benchmark::State& state, const Scale& scale, const std::string& world, std::int64_t cells, Where where,
-           TimeEdits timeEdits) {
+void edits(benchmark::State& state, const Scale& scale, const std::string& world, std::int64_t cells, Where where) {
   Built& b = built(world, cells);
   const EditPlan plan = planEdits(b.tiles, static_cast<std::size_t>(scale.edits), where, 1);
   EditTimes times;
@@ -18,7 +15,7 @@ void edits(benchmark::State& state, const Scale& scale, const std::string& world
   std::uint64_t added = 0;
   std::uint64_t relinked = 0;
   while (state.KeepRunning()) {
-    timeEdits(b.engine, b.tiles, plan, times, [&] {
+    timeRemovesAndAdds(b.engine, b.tiles, plan, times, [&] {
       const Changes& c = b.engine.changes();
       removed += c.removed.size();
       added += c.added.size();
@@ -41,15 +38,14 @@ void registerEdits(const Scale& scale) {
   for (const std::int64_t cells : {100L, 10'000L, 1'000'000L, 10'000'000L}) {
     if (cells > scale.maxCells) continue;
     for (const std::string world : kWorlds) {
-      const auto add = [&](const std::string& what, Where where, TimeEdits timeEdits) {
+      const auto add = [&](const std::string& what, Where where) {
         const std::string name = fmt::format("edit/{}/{}/{}", what, world, cells);
         benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-          edits(state, scale, world, cells, where, timeEdits);
+          edits(state, scale, world, cells, where);
         })->Iterations(1);
       };
-      add("remove-add", Where::anywhere, timeRemovesAndAdds);
-      add("replace", Where::anywhere, timeReplaces);
-      add("dig", Where::nearby, timeRemovesAndAdds);
+      add("remove-add", Where::anywhere);
+      add("dig", Where::nearby);
     }
   }
 }

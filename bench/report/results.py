@@ -1,6 +1,5 @@
 """What was measured: the rows of the comparison (`lgs bench --json`) and of the engine (`lgs_bench`)."""
 
-import csv
 import json
 import re
 
@@ -31,16 +30,3 @@ class Results:
             "engine": list(self.engine.values()),
         }
         path.write_text(json.dumps(everything, indent=1, ensure_ascii=False) + "\n")
-
-    def write_csv(self, path):
-        with path.open("w", newline="") as file:
-            writer = csv.writer(file)
-            writer.writerow(["scenario", "subject", "figure", "value"])
-            for (scenario, subject), row in self.comparison.items():
-                for figure in ("median_ns", "p99_ns", "cells", "segments"):
-                    writer.writerow([scenario, subject, figure, row[figure]])
-            known = {"family_index", "per_family_instance_index", "repetitions", "threads", "repetition_index"}
-            for name, row in self.engine.items():
-                for figure, value in row.items():
-                    if isinstance(value, (int, float)) and figure not in known:
-                        writer.writerow([name, "engine", figure, value])

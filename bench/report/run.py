@@ -1,17 +1,14 @@
 #!/usr/bin/env python3
-"""Measures everything and writes it down: figures as JSON and CSV, plots as SVG, the tables of the docs.
+"""Measures everything and writes it down: figures as JSON, the tables of the docs.
 
     bench/report/run.py            all of it, some minutes; refreshes docs/timings.md and README.md
     bench/report/run.py --quick    smaller worlds, half a minute; leaves the docs alone
 
-The figures need a quiet machine, the plots need matplotlib (Debian: python3-matplotlib). If Node is here and
-polygon-clipping is not, npm installs it.
+The figures need a quiet machine. If Node is here and polygon-clipping is not, npm installs it.
 """
 
 import argparse
 import datetime
-import importlib
-import importlib.util
 import json
 import os
 import pathlib
@@ -113,14 +110,6 @@ def refresh(results, paths):
         path.write_text(parts.sub(lambda m: f"{m[1]}{TABLES[m[2]](results)}\n{m[3]}", text))
 
 
-def load_plots():
-    """The module of the plots, or None where matplotlib is missing."""
-    if importlib.util.find_spec("matplotlib"):
-        return importlib.import_module("plots")
-    say("no plots: they need matplotlib (Debian: python3-matplotlib)")
-    return None
-
-
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     size = parser.add_mutually_exclusive_group()
@@ -129,14 +118,13 @@ def read_arguments():
     parser.add_argument("--build", type=pathlib.Path, metavar="DIR",
                         help="measure what is built there; default: build the release preset")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", default=ROOT / "out/bench",
-                        help="for figures and plots; default out/bench")
+                        help="for figures and tables; default out/bench")
     return parser.parse_args()
 
 
 def main():
     arguments = read_arguments()
     scale = QUICK if arguments.quick else TINY if arguments.tiny else FULL
-    plots = load_plots()
 
     out = arguments.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -152,11 +140,7 @@ def main():
     }
     results = Results(about, comparison, engine["benchmarks"])
     results.write_json(out / "results.json")
-    results.write_csv(out / "results.csv")
-    say(f"figures: {out / 'results.json'}, .csv")
-    if plots:
-        plots.draw(results, out)
-        say(f"plots: {out}/timings-*.svg")
+    say(f"figures: {out / 'results.json'}")
     docs = DOCS
     if scale is not FULL:
         docs = [out / path.name for path in DOCS]

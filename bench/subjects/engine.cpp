@@ -73,12 +73,6 @@ void Engine::add(std::size_t cell, std::size_t kind) {
   commit();
 }
 
-void Engine::replace(std::size_t cell, std::size_t kind) {
-  removeOnly(cell);
-  addOnly(cell, kind);
-  commit();
-}
-
 void Engine::removeOnly(std::size_t cell) {
   if (hasSingles_) {
     (void)world_.remove(found_);

@@ -26,7 +26,6 @@ class Engine final : public Incremental {
   void find(std::size_t cell) override;
   void remove(std::size_t cell) override;
   void add(std::size_t cell, std::size_t kind) override;
-  void replace(std::size_t cell, std::size_t kind) override;
 
   // The parts of an edit, for batches: many edits with one commit.
   void removeOnly(std::size_t cell);

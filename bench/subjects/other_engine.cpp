@@ -52,10 +52,4 @@ void OtherEngine::add(std::size_t cell, std::size_t kind) {
   commit();
 }
 
-void OtherEngine::replace(std::size_t cell, std::size_t kind) {
-  removeOnly(cell);
-  addOnly(cell, kind);
-  commit();
-}
-
 }  // namespace lgs::bench

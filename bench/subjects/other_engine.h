@@ -23,7 +23,6 @@ class OtherEngine final : public Incremental {
   void find(std::size_t) override {}
   void remove(std::size_t cell) override;
   void add(std::size_t cell, std::size_t kind) override;
-  void replace(std::size_t cell, std::size_t kind) override;
 
  private:
   void addOnly(std::size_t cell, std::size_t kind);

@@ -39,18 +39,21 @@ class PublishedPort final : public Incremental {
   void prepare(const Tiles& tiles) override {
     tiles_ = &tiles;
     polygons_.resize(tiles.size());
-    for (std::size_t k = 0; k < tiles.size(); ++k) place(k, tiles.at[k]);
+    for (std::size_t k = 0; k < tiles.size(); ++k) {
+      if (const Kind& kind = tiles.kind(k); !kind.polygons.empty())
+        polygons_[k] = floatVertices({tiles.cell(k), kind.block, kind.polygons.front()});
+    }
   }
 
   bool build() override {
     const auto isOne = [](const Kind& kind) { return kind.polygons.size() == 1; };
     if (!std::all_of(tiles_->kinds.begin(), tiles_->kinds.end(), isOne)) return false;
     world_.emplace(make_(*tiles_));  // what the algorithm's own memory costs counts
-    const auto isTaken = [&](const Placed& placed) { return takes(*world_, placed.vertices); };
+    const auto isTaken = [&](const std::vector<Vec2>& polygon) { return takes(*world_, polygon); };
     if (!std::all_of(polygons_.begin(), polygons_.end(), isTaken)) return false;
     std::size_t k = 0;
     for (std::int32_t j = 0; j < tiles_->height; ++j) {
-      for (std::int32_t i = 0; i < tiles_->width; ++i, ++k) world_->add({i, j}, polygons_[k].vertices, blockOf(k));
+      for (std::int32_t i = 0; i < tiles_->width; ++i, ++k) world_->add({i, j}, polygons_[k], blockOf(k));
     }
     world_->compute();
     return true;
@@ -60,34 +63,19 @@ class PublishedPort final : public Incremental {
 
   void find(std::size_t cell) override { at_ = tiles_->cell(cell); }
   void remove(std::size_t cell) override {
-    world_->remove(at_, polygons_[cell].vertices, blockOf(cell));
+    world_->remove(at_, polygons_[cell], blockOf(cell));
     world_->compute();
   }
-  void add(std::size_t cell, std::size_t kind) override {
-    if (polygons_[cell].kind != kind) place(cell, kind);
-    world_->add(at_, polygons_[cell].vertices, blockOf(cell));
+  void add(std::size_t cell, std::size_t) override {
+    world_->add(at_, polygons_[cell], blockOf(cell));
     world_->compute();
-  }
-  void replace(std::size_t cell, std::size_t kind) override {
-    world_->remove(at_, polygons_[cell].vertices, blockOf(cell));
-    add(cell, kind);
   }
 
  private:
-  struct Placed {
-    std::vector<Vec2> vertices;
-    std::size_t kind = 0;
-  };
-
-  void place(std::size_t cell, std::size_t kind) {
-    const Kind& content = tiles_->kinds[kind];
-    if (content.polygons.empty()) return;
-    polygons_[cell] = {floatVertices({tiles_->cell(cell), content.block, content.polygons.front()}), kind};
-  }
-  Block blockOf(std::size_t cell) const { return tiles_->kinds[polygons_[cell].kind].block; }
+  Block blockOf(std::size_t cell) const { return tiles_->kind(cell).block; }
 
   const Tiles* tiles_ = nullptr;
-  std::vector<Placed> polygons_;  // by cell
+  std::vector<std::vector<Vec2>> polygons_;  // by cell
   Cell at_;
   Make make_;
   std::optional<World> world_;

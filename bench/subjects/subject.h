@@ -46,7 +46,6 @@ class Incremental : public Subject {
   virtual void find(std::size_t cell) = 0;
   virtual void remove(std::size_t cell) = 0;
   virtual void add(std::size_t cell, std::size_t kind) = 0;
-  virtual void replace(std::size_t cell, std::size_t kind) = 0;
 };
 
 struct SubjectInfo {

@@ -208,8 +208,4 @@ Call movedBy(Call call, Cell cells);
 /// Calls that are a little simpler than this one, the simplest first.
 std::vector<Call> simpler(const Call& call);
 
-/// What a call comes to if it is made in parts, all or none of them: a group of single removes and adds. Its handles
-/// must be known (Caller::resolved()).
-Call inParts(const Call& call);
-
 }  // namespace lgs::oracle

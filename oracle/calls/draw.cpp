@@ -201,12 +201,6 @@ Habits withMarks(Habits habits) {
   return habits;
 }
 
-Habits withRedo(Habits habits) {
-  habits = withMarks(std::move(habits));
-  habits.weights[static_cast<std::size_t>(Kind::redo)] = 4;
-  return habits;
-}
-
 Habits withLoads(Habits habits) {
   for (const Kind kind : {Kind::leave, Kind::load}) habits.weights[static_cast<std::size_t>(kind)] = 2;
   return habits;

@@ -21,7 +21,6 @@ struct Habits {
 };
 
 Habits withMarks(Habits habits);
-Habits withRedo(Habits habits);  ///< and marks; a roll-back may keep what is undone
 Habits withLoads(Habits habits);
 
 Call drawCall(Random& choices, const Habits& habits);

@@ -101,38 +101,4 @@ std::vector<Call> simpler(const Call& call) {
   return all;
 }
 
-Call inParts(const Call& call) {
-  Call group;
-  group.kind = Kind::group;
-  group.keeps = Call::Keeps::ifAll;
-  const auto part = [&](Kind kind) -> Call& {
-    group.group.emplace_back().kind = kind;
-    group.group.back().notation = call.notation;
-    group.group.back().offset = call.offset;
-    return group.group.back();
-  };
-  const auto place = [&](Cell cell, const Coming& coming, Kind kind) {
-    part(kind).comes = {coming};
-    group.group.back().comes[0].cell = cell;
-  };
-  const auto& [min, max] = call.cells;
-  if (call.kind == Kind::replace) part(Kind::clear).cells = {call.comes[0].cell, call.comes[0].cell};
-  for (const Named& named : call.goes) part(Kind::remove).goes = {named};
-  for (std::int32_t j = min.j; j <= max.j; ++j) {
-    for (std::int32_t i = min.i; i <= max.i; ++i) {
-      if (call.kind == Kind::fill) place({i, j}, call.comes[0], Kind::addShape);
-      if (call.kind == Kind::clear) part(Kind::removeMany).goes = {{.how = Named::How::all, .cell = {i, j}}};
-    }
-  }
-  for (const Coming& coming : call.comes) {
-    if (call.kind == Kind::exchange) {
-      part(Kind::add).comes = {{min, coming.shape, coming.block}};
-      group.group.back().notation = {};
-    } else if (call.kind != Kind::fill) {
-      place(coming.cell, coming, Kind::addShape);
-    }
-  }
-  return group;
-}
-
 }  // namespace lgs::oracle

@@ -90,6 +90,36 @@ std::optional<WrongRead> readMany(const World& world) {
   return std::nullopt;
 }
 
+std::optional<CellRect> leastRect(const Standing& standing) {
+  std::optional<CellRect> rect;
+  for (const auto& [cell, placed] : standing.cells()) {
+    CellRect& r = rect ? *rect : rect.emplace(CellRect{cell, cell});
+    r.min = {std::min(r.min.i, cell.i), std::min(r.min.j, cell.j)};
+    r.max = {std::max(r.max.i, cell.i), std::max(r.max.j, cell.j)};
+  }
+  return rect;
+}
+
+// The least box of each shape, by its polygons.
+std::optional<WrongRead> readShapes(const World& world) {
+  const auto count = static_cast<std::uint32_t>(world.stats().shapes);
+  for (std::uint32_t id = 1; id <= count; ++id) {
+    const auto polygons = world.polygonsOf({id});
+    const auto box = world.boundingBox({id});
+    if (!polygons || !box) return WrongRead{fmt::format("shape {} of {} is unknown", id, count)};
+    LocalBox least{(*polygons)[0][0], (*polygons)[0][0]};
+    for (const auto& polygon : *polygons) {
+      for (const LocalPoint p : polygon) {
+        least.min = {std::min(least.min.x, p.x), std::min(least.min.y, p.y)};
+        least.max = {std::max(least.max.x, p.x), std::max(least.max.y, p.y)};
+      }
+    }
+    if (*box != least) return WrongRead{fmt::format("shape {} has another box", id)};
+  }
+  if (world.boundingBox({count + 1}) || world.polygonsOf({0})) return WrongRead{"a shape that was never made is known"};
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<WrongRead> readCell(const World& world, const Standing& standing, Cell cell) {
@@ -127,6 +157,9 @@ std::optional<WrongRead> readPolygons(const Player& player) {
         if (none || none.error().code != ErrorCode::unloaded || none.error().cell != cell)
           return WrongRead{fmt::format("'{}' is not in memory, and its handle does not say so", placed.name)};
       }
+  if (player.world().bounds() != leastRect(model))
+    return WrongRead{"bounds() is not the least rectangle of all polygons"};
+  if (auto wrong = readShapes(player.world())) return wrong;
   const Stats stats = player.world().stats();
   const auto differs = [](const char* of, std::uint64_t actual, std::uint64_t expected) {
     return WrongRead{fmt::format("stats() counts {} {}, but there should be {}", actual, of, expected)};

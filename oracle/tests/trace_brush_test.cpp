@@ -53,10 +53,6 @@ TEST(TraceBrush, RoundTrips) {
                            "paint 4294967295 fill  -1073741825 0 1 0 1 1\npaint 0 replace  5 5\nremove far\n";
   const Trace trace = mustParse(text);
   EXPECT_EQ(mustParse(printTrace(trace)), trace) << printTrace(trace);
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Trace any = randomCase({.width = 3, .height = 3, .edits = 30, .isOfCalls = true, .brushes = true}, seed);
-    ASSERT_EQ(mustParse(printTrace(any)), any);
-  }
 }
 
 TEST(TraceBrush, TheVersionSaysWhetherThereAreBrushes) {
@@ -131,19 +127,6 @@ TEST(TraceBrush, WithoutBrushesItIsTheSameWorld) {
     };
     ASSERT_EQ(outline(plain), outline(trace)) << "seed " << seed;
   }
-}
-
-TEST(TraceBrush, RandomCasesAreChecked) {
-  CheckStats stats;
-  CheckOptions options;
-  options.skipRefused = true;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const auto found = checkTrace(
-        randomCase({.width = 3, .height = 3, .edits = 40, .isOfCalls = true, .brushes = true}, seed), options, stats);
-    ASSERT_TRUE(found.has_value()) << found.error().text;
-    ASSERT_FALSE(*found) << describe((*found)->kind) << ": " << (*found)->text;
-  }
-  EXPECT_GT(stats.brushed, 20U);
 }
 
 TEST(TraceBrush, TheShrinkerMakesRegionsSimpler) {

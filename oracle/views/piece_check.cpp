@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <set>
+#include <span>
 
 namespace lgs::oracle {
 namespace {
@@ -96,10 +97,78 @@ std::set<Cell> withThoseAround(const std::vector<Cell>& cells) {
   return out;
 }
 
+CellRect leastRect(const std::set<Cell>& cells) {
+  if (cells.empty()) return {{1, 1}, {0, 0}};
+  CellRect r{*cells.begin(), *cells.begin()};
+  for (const Cell cell : cells) {
+    r.min = {std::min(r.min.i, cell.i), std::min(r.min.j, cell.j)};
+    r.max = {std::max(r.max.i, cell.i), std::max(r.max.j, cell.j)};
+  }
+  return r;
+}
+
 struct FreePiece {
   PieceId id;
   std::vector<Point> vertices;
 };
+
+bool has(std::span<const LocalPoint> piece, Cell cell, Point p) {
+  for (std::size_t k = 0; k < piece.size(); ++k)
+    if (turnAt(toWorld(cell, piece[k]), toWorld(cell, piece[(k + 1) % piece.size()]), p) < 0) return false;
+  return true;
+}
+
+/// freePieceAt() has the first piece of the least cell that has the point.
+bool isFoundAt(const Pieces& pieces, Point p) {
+  std::optional<PieceId> first;
+  const Cell last = cellAt(p);
+  for (std::int32_t i = last.i - 1; i <= last.i; ++i) {
+    for (std::int32_t j = last.j - 1; j <= last.j; ++j) {
+      const auto free = pieces.freePieces({i, j});
+      for (std::uint32_t k = 0; k < free.size() && !first; ++k)
+        if (has(free[k].vertices, {i, j}, p)) first = PieceId{{i, j}, k};
+    }
+  }
+  return pieces.freePieceAt(p) == first;
+}
+
+/// At the vertices of free pieces, at the middles of their edges, and in the middle of what polygons leave none.
+std::optional<std::string> faultOfPlaces(const Pieces& pieces, const std::vector<Cell>& cells) {
+  for (const Cell cell : cells) {
+    std::vector<LocalPoint> points{{kUnitsPerCell / 2, kUnitsPerCell / 2}};
+    for (const Piece& piece : pieces.freePieces(cell)) {
+      const LocalPoint a = piece.vertices[0], b = piece.vertices[1];
+      points.insert(points.end(), {a, b, {(a.x + b.x) / 2, (a.y + b.y) / 2}});
+    }
+    for (const LocalPoint p : points)
+      if (const Point at = toWorld(cell, p); inRange(at) && !isFoundAt(pieces, at))
+        return "freePieceAt() finds another piece";
+  }
+  return std::nullopt;
+}
+
+/// Each cell without pieces of the other part is in one rectangle of wholeCells(), and no other cell is.
+std::optional<std::string> faultOfWholeCells(const Pieces& pieces, const CellRect& cells) {
+  for (const Part part : {Part::solid, Part::free}) {
+    std::set<Cell> whole;
+    for (const CellRect& r : pieces.wholeCells(cells, part))
+      for (std::int32_t j = r.min.j; j <= r.max.j; ++j)
+        for (std::int32_t i = r.min.i; i <= r.max.i; ++i)
+          if (!whole.insert({i, j}).second) return "wholeCells() has a cell twice";
+    std::size_t expected = 0;
+    for (std::int32_t j = cells.min.j; j <= cells.max.j; ++j) {
+      for (std::int32_t i = cells.min.i; i <= cells.max.i; ++i) {
+        const Cell cell{i, j};
+        const bool is =
+            inRange(cell) && (part == Part::solid ? pieces.freePieces(cell) : pieces.solidPieces(cell)).empty();
+        expected += is ? 1 : 0;
+        if (is && !whole.contains(cell)) return "wholeCells() forgets a cell";
+      }
+    }
+    if (whole.size() != expected) return "wholeCells() has a cell too many";
+  }
+  return std::nullopt;
+}
 
 /// Those of a cell that nothing was ever told of. With at most three vertices that is two triangles.
 CellPieces ofEmptyCell(std::size_t maxVertices) { return piecesIn(Pieces(World(), {maxVertices}), {0, 0}); }
@@ -225,6 +294,11 @@ std::optional<std::string> PieceCheck::faultOf(const World& world, const Pieces&
   std::vector<Cell> cells;
   for (const auto& [cell, known] : known_) cells.push_back(cell);
   const std::set<Cell> near = withThoseAround(cells);
+  if (auto fault = faultOfPlaces(pieces, cells)) return fault;
+  constexpr std::int64_t kMostWide = 64;
+  if (const CellRect around = leastRect(near);
+      around.max.i - std::int64_t{around.min.i} < kMostWide && around.max.j - std::int64_t{around.min.j} < kMostWide)
+    if (auto fault = faultOfWholeCells(pieces, around)) return fault;
   return faultOfPieces(world, pieces, {near.begin(), near.end()});
 }
 

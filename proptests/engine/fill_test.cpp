@@ -1,4 +1,4 @@
-// fill() and clear() of more cells than the laws of calls reach (laws/doors_test.cpp).
+// fill() and clear() of more cells than the laws of calls reach.
 #include "oracle/trace/dump.h"
 #include "proptests/support/worlds.h"
 

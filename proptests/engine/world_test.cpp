@@ -1,4 +1,4 @@
-// What no law of calls can see (laws/doors_test.cpp): where a cell is looked for, what outlives what, values that
+// What no law of calls can see: where a cell is looked for, what outlives what, values that
 // answers are made of.
 #include "proptests/support/must.h"
 #include "proptests/support/worlds.h"

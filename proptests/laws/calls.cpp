@@ -15,13 +15,6 @@ namespace {
 
 using oracle::Habits;
 
-Habits only(std::initializer_list<Kind> kinds) {
-  Habits habits;
-  habits.weights = {};
-  for (const Kind kind : kinds) habits.weights[static_cast<std::size_t>(kind)] = 1;
-  return habits;
-}
-
 rc::Seq<Call> simplerCalls(const Call& call) { return rc::seq::fromContainer(simpler(call)); }
 
 rc::Seq<std::vector<Call>> shorter(const std::vector<Call>& list) {
@@ -52,8 +45,6 @@ rc::Gen<List> listsOf(const Habits& plain, const Habits& marked) {
 
 }  // namespace
 
-Call drawOne(oracle::Random& choices, Kind kind) { return drawCall(choices, only({kind})); }
-
 void makeAll(Caller& caller, const Calls& calls) {
   for (const Call& call : calls.list) caller.make(call);
 }
@@ -72,8 +63,6 @@ void showValue(const Setting& setting, std::ostream& out) {
 void showValue(const Calls& calls, std::ostream& out) {
   for (const Call& call : calls.list) out << printCall(call) << '\n';
 }
-
-void showValue(const CallOfParts& call, std::ostream& out) { out << printCall(call.call); }
 
 rc::Gen<Setting> Setting::arbitrary() {
   // About the origin, across borders of chunks, at the ends of the world.
@@ -95,17 +84,6 @@ rc::Gen<Calls> Calls::arbitrary() { return listsOf<Calls>(Habits(), Habits()); }
 rc::Gen<CallsAndMarks> CallsAndMarks::arbitrary() { return listsOf<CallsAndMarks>(Habits(), withMarks(Habits())); }
 rc::Gen<AnyCalls> AnyCalls::arbitrary() {
   return listsOf<AnyCalls>(withLoads(Habits()), withLoads(withMarks(Habits())));
-}
-
-rc::Gen<CallOfParts> CallOfParts::arbitrary() {
-  using enum Call::Kind;
-  const Habits habits = only({addMany, removeMany, replace, exchange, exchange, fill, clear});
-  return [=](rc::Random random, int) {
-    oracle::Random choices(random.next());
-    return rc::shrinkable::map(
-        rc::shrinkable::shrinkRecur(drawCall(choices, habits), [](const Call& drawn) { return simplerCalls(drawn); }),
-        [](Call&& drawn) { return CallOfParts{std::move(drawn)}; });
-  };
 }
 
 }  // namespace lgs::test

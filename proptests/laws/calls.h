@@ -42,16 +42,6 @@ struct AnyCalls : Calls {
   static rc::Gen<AnyCalls> arbitrary();
 };
 
-/// One that is made of parts: of many, or in the place of what stands there.
-struct CallOfParts {
-  Call call;
-  static rc::Gen<CallOfParts> arbitrary();
-};
-void showValue(const CallOfParts& call, std::ostream& out);
-
-/// A call of one kind.
-Call drawOne(oracle::Random& choices, Call::Kind kind);
-
 void makeAll(Caller& caller, const Calls& calls);
 
 /// A world in the middle of its life.

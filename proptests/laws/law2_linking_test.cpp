@@ -5,8 +5,6 @@
 #include "proptests/support/exhaust.h"
 #include "proptests/support/fan.h"
 #include "proptests/support/law.h"
-#include "proptests/support/played.h"
-#include "proptests/support/traces.h"
 
 #include <gtest/gtest.h>
 
@@ -16,29 +14,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::OutlineSegment;
 using oracle::operator-;
-
-// --- The engine's output ---------------------------------------------------------------------------------------------
-
-LGS_LAW(Linking, IsToTheSegmentMetFirst, 2'000, (const GoodTrace& trace)) {
-  const oracle::Outline outline = outlineAfter(trace);
-  std::map<Point, HalfEdges> at;
-  const auto starting = [](const OutlineSegment& s) { return HalfEdge{s.end - s.start, true}; };
-  const auto ending = [](const OutlineSegment& s) { return HalfEdge{s.start - s.end, false}; };
-  for (const OutlineSegment& s : outline) {
-    at[s.start].push_back(starting(s));
-    at[s.end].push_back(ending(s));
-  }
-  const auto farEnd = [](Point p, const HalfEdge& e) { return Point{p.x + e.towards.x, p.y + e.towards.y}; };
-  oracle::Outline expected = outline;
-  for (OutlineSegment& s : expected) {
-    s.ghost1 = s.ghost2 = std::nullopt;
-    if (const auto before = metFirst(at[s.start], starting(s))) s.ghost1 = farEnd(s.start, *before);
-    if (const auto after = metFirst(at[s.end], ending(s))) s.ghost2 = farEnd(s.end, *after);
-  }
-  expectSame(expected, outline);
-}
 
 // --- The pure functions for the half-edges around one vertex ---------------------------------------------------------
 

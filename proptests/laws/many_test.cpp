@@ -1,10 +1,6 @@
-// Calls that take many, by hand; and reading many segments at once. That calls of many are their single calls, made as
-// a group, is in doors_test.cpp.
+// Calls that take many, and reading many segments at once, by hand.
 #include "bad_edits.h"
-#include "calls.h"
-#include "proptests/support/law.h"
 #include "proptests/support/must.h"
-#include "proptests/support/traces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,40 +8,6 @@
 
 namespace lgs::test {
 namespace {
-
-LGS_LAW(Many, SegmentsAreThoseOfSingleCalls, 300, (const Calls& calls, const Setting& setting, Chance chance)) {
-  World world = grown(setting, calls).world;
-  world.commit();
-  std::vector<SegmentId> ids = world.segments();
-  chance.shuffle(ids);
-  std::vector<Segment> out(ids.size());
-  std::vector<FloatSegment> floats(ids.size());
-  std::vector<DoubleSegment> doubles(ids.size());
-  const Point corner = toWorld(setting.corner, {});
-  const Point origin{corner.x + chance.below(U), corner.y};
-  ASSERT_TRUE(world.segments(ids, out));
-  ASSERT_TRUE(world.segments(ids, origin, std::span(floats)));
-  ASSERT_TRUE(world.segments(ids, origin, std::span(doubles)));
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    const Segment one = *world.segment(ids[k]);
-    EXPECT_EQ(fieldsOf(out[k]), fieldsOf(one));
-    const DoubleSegment& d = doubles[k];
-    const FloatSegment& f = floats[k];
-    const auto back = [&](DoublePoint p) {  // exact, and so there is a way back
-      return Point{static_cast<std::int64_t>(p.x * U) + origin.x, static_cast<std::int64_t>(p.y * U) + origin.y};
-    };
-    EXPECT_EQ(fieldsOf({d.id, back(d.start), back(d.end), d.predecessor, d.successor, back(d.ghost1), back(d.ghost2),
-                        d.block, d.polygon, d.cell}),
-              fieldsOf(one));
-    const auto rounded = [](FloatPoint near, DoublePoint exact) {
-      return near.x == static_cast<float>(exact.x) && near.y == static_cast<float>(exact.y);
-    };
-    EXPECT_TRUE(rounded(f.start, d.start) && rounded(f.end, d.end) && rounded(f.ghost1, d.ghost1) &&
-                rounded(f.ghost2, d.ghost2));
-    EXPECT_TRUE(f.id == d.id && f.predecessor == d.predecessor && f.successor == d.successor && f.block == d.block &&
-                f.polygon == d.polygon && f.cell == d.cell);
-  }
-}
 
 TEST(ManySegments, FillAsMuchAsThereIsRoomForAndNameTheUnknownOne) {
   Stage stage = makeStage();

@@ -1,8 +1,5 @@
-// Ways there and back: a world through a trace's text, coordinates through floats. (Imported maps:
-// addons/tiled/tests/round_trip_test.cpp.)
-#include "oracle/trace/dump.h"
+// Coordinates through floats and back. (Imported maps: addons/tiled/tests/round_trip_test.cpp.)
 #include "proptests/support/law.h"
-#include "proptests/support/played.h"
 #include "proptests/support/shapes.h"
 #include "proptests/support/traces.h"
 #include "proptests/support/worlds.h"
@@ -10,50 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <set>
-#include <tuple>
-
 namespace lgs::test {
 namespace {
-
-using oracle::Call;
-using oracle::Trace;
-
-// --- Text ------------------------------------------------------------------------------------------------------------
-
-/// What stands in these cells, as the world itself says, in the form of a trace.
-Trace traceOf(const World& world, const std::set<Cell>& cells, const oracle::PreservePairs& preserve) {
-  Trace trace{preserve, {}};
-  for (const Cell& cell : cells)
-    for (const auto& [handle, block, vertices] : polygonsIn(world, cell))
-      trace.calls.push_back(Call::add("p" + std::to_string(handle.packed()), {cell, block, vertices}));
-  return trace;
-}
-
-using Standing = std::multiset<std::tuple<Cell, Block, LocalPolygon>>;
-
-Standing standing(const World& world, const std::set<Cell>& cells) {
-  Standing out;
-  for (const Cell& cell : cells)
-    for (auto& [handle, block, vertices] : polygonsIn(world, cell)) out.emplace(cell, block, vertices);
-  return out;
-}
-
-LGS_LAW(RoundTrip, WorldToTraceToWorld, 2'000, (const GoodTrace& trace)) {
-  std::set<Cell> cells;
-  for (const Call& edit : trace.calls)
-    if (edit.kind == Call::Kind::add) cells.insert(edit.polygon().cell);
-  oracle::Player player(trace.preserve), again(trace.preserve);
-  playAll(trace, player);
-
-  const Trace written = traceOf(player.world(), cells, trace.preserve);
-  const oracle::ParsedTrace read = oracle::parseTrace(oracle::printTrace(written));
-  failIf(read.error ? std::optional(read.error->text) : std::nullopt);
-  failUnless(read.trace == written, "another trace is read than was written");
-  playAll(read.trace, again);
-  failUnless(standing(again.world(), cells) == standing(player.world(), cells), "other polygons stand there");
-  expectSame(oracle::outlineOf(player.world()), oracle::outlineOf(again.world()));
-}
 
 // --- Coordinates -----------------------------------------------------------------------------------------------------
 

@@ -40,17 +40,4 @@ class Shelf {
 
 inline constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
 
-/// A segment by what it is, without the names of one world; a handle is such a name where chunks are forgotten.
-struct Seen {
-  Point start, end;
-  Block block = 0;
-  Cell cell;
-  std::optional<Point> ghost1, ghost2;
-  PolygonHandle polygon;
-  friend auto operator<=>(const Seen&, const Seen&) = default;
-};
-
-Seen seen(const Segment& segment, bool withHandle);
-std::multiset<Seen> seen(const World& world, const std::vector<SegmentId>& ids, bool withHandles);
-
 }  // namespace lgs::test

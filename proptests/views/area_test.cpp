@@ -1,6 +1,5 @@
-// A view of the ground is told, at each commit and roll-back, which cells changed. So it equals its own full recompute,
-// and does work in proportion to those cells.
-#include "follower_of_cells.h"
+// A view of the ground is told, at each commit and roll-back, which cells changed: by hand. That these are right is a law,
+// oracle/check/laws/cells.cpp.
 #include "proptests/support/law.h"
 #include "proptests/support/must.h"
 
@@ -8,12 +7,6 @@
 
 namespace lgs::test {
 namespace {
-
-LGS_LAW(Views, AreToldExactlyTheCellsThatChanged, 500, (const AnyCalls& calls, const Setting& setting)) {
-  FollowerOfCells follower(setting);
-  for (const Call& call : calls.list) follower.make(call);
-  follower.commit();
-}
 
 TEST(ViewsByHand, NothingIsFollowedUnlessItIsAskedFor) {
   World world;

@@ -1,6 +1,5 @@
 // Law 15: the views of loops, islands, pieces and hashes are, after each commit and after a roll-back or redo, what a
 // look at the whole world gives; and what they say has changed is what differs. One that missed something says so.
-#include "proptests/laws/calls.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
@@ -33,29 +32,6 @@ struct AllViews {
   Pieces pieces;
   GroundHashes hashes;
 };
-
-LGS_LAW(Views, SayThatTheyMissedSomething, 300, (const CallsAndMarks& calls, const Setting& setting)) {
-  Caller caller = setting.start();
-  const World& world = caller.world;
-  EXPECT_TRUE(caller.world.followCells(true));
-  AllViews views(world);
-  std::size_t k = 0;
-  for (const Call& call : calls.list) {
-    if (call.kind == Call::Kind::mark) caller.world.commit();  // no mark while edits wait: views begin anew there
-    caller.changes = nullptr;
-    caller.make(call);
-    if (k++ % 3 == 0 || caller.changes == nullptr) continue;
-    const std::array<bool, 4> took = views.update(world, *caller.changes);
-    if (took == std::array{true, true, true, true}) {
-      EXPECT_EQ(views.hashes.hash(), groundHash(world, {{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}));
-      EXPECT_EQ(views.islands.all().size(), Islands(world).all().size());
-      EXPECT_EQ(views.pieces.stats().cells, Pieces(world).stats().cells);
-    } else {
-      EXPECT_EQ(took, (std::array{false, false, false, false}));
-      views = AllViews(world);
-    }
-  }
-}
 
 /// Inside the ground a polygon gets another block: no segment changes, and the ground does.
 TEST(ViewsByHand, SayThatTheyMissedWhatChangedNoSegment) {

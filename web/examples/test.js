@@ -2,9 +2,10 @@
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { existsSync } from 'node:fs'
+import { createRequire } from 'node:module'
 import { before, test } from 'node:test'
 import { fileURLToPath, pathToFileURL } from 'node:url'
-import { browse, skip } from '../package/test/browser.js'
+import { browse, skip, visit } from '../package/test/browser.js'
 
 const here = fileURLToPath(new URL('.', import.meta.url))
 const run = (name) => execFileSync(process.execPath, [`${here}${name}`], { encoding: 'utf8' })
@@ -38,3 +39,35 @@ for (const name of ['canvas', 'worker', 'pixi', 'phaser'])
       assert.ok(!full.equals(dug))
     })
   })
+
+test('vite: a digger in strict TypeScript, built and served by Vite 8 with its defaults, without a warning', { skip }, async (t) => {
+  const require = createRequire(import.meta.url), root = `${here}vite`
+  const vite = await import('vite').catch(() => null)
+  if (vite === null) return t.skip('npm install has not been run here')
+  execFileSync(process.execPath, [require.resolve('typescript/bin/tsc'), '-p', root], { stdio: ['ignore', 'inherit', 'inherit'] })
+  const warnings = [], warn = (text) => warnings.push(text)
+  const options = { root, configFile: false, customLogger: { ...vite.createLogger('silent'), warn, warnOnce: warn } }
+  await vite.build({ ...options, build: { outDir: `${here}dist/vite`, emptyOutDir: true } })
+  const plays = async (page) => {
+    await page.waitForSelector('body[data-rocks="0"]')
+    await page.mouse.move(100, 600)
+    await page.mouse.down()
+    const { height } = await page.locator('canvas').boundingBox()
+    for (let k = 0; k <= 8; ++k) await page.mouse.move(24 * (4.5 + 3 * k / 8), height - 24 * 12)
+    await page.waitForSelector('body[data-rocks="1"]')
+    await page.mouse.up()
+    for (let k = 0; k < 12; ++k) await page.keyboard.press('z')
+    await page.waitForSelector('body[data-rocks="0"]')
+  }
+  const said = []
+  for (const start of [vite.createServer, vite.preview]) {
+    const server = await start({ ...options, server: { port: 0 }, preview: { port: 0 }, build: { outDir: `${here}dist/vite` } })
+    if (start === vite.createServer) await server.listen()
+    try {
+      said.push(...(await visit(server.resolvedUrls.local[0], plays)))
+    } finally {
+      await server.close()
+    }
+  }
+  assert.deepEqual([...said.filter((line) => !line.startsWith('[vite]')), ...warnings], [])
+})

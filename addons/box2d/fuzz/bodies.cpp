@@ -1,7 +1,6 @@
 #include "addons/box2d/fuzz/bodies.h"
 
 #include "addons/box2d/fuzz/body_watch.h"
-#include "fuzz/same.h"
 #include "fuzz/units.h"
 #include "oracle/calls/random.h"
 #include "oracle/calls/shapes.h"
@@ -194,7 +193,7 @@ class Game {
   }
 
   void load() {
-    const std::vector<std::byte> bytes = saved(world_);
+    const std::vector<std::byte> bytes = oracle::saved(world_);
     if (bytes.empty()) return;
     world_ = World::load(bytes).value();
     begin();

@@ -19,7 +19,8 @@ constexpr std::size_t kMostKnown = 64;  // rules that are counted; so a map of n
 std::pair<std::string, Saying> ruleOf(const std::string& name, const std::string& value) {
   if (name.find('=') != std::string::npos) return {};
   if (!saysYes(value))
-    return isPassage(name) ? std::pair(name + "=" + value, Saying{Says::collision}) : std::pair<std::string, Saying>();
+    return usesOf(name).isPassage ? std::pair(name + "=" + value, Saying{Says::collision})
+                                  : std::pair<std::string, Saying>();
   if (const Saying said = sayingOfProperty(name); said.says != Says::nothing) return {name, said};
   const Saying said = value.size() > kMostValue ? Saying{} : saying(value);
   return {said.says == Says::nothing ? "" : name + "=" + value, said};
@@ -57,9 +58,8 @@ class Census {
     facts.name = layer.pathInMap;
     facts.kind = layer.kind;
     facts.saying = sayingOf(layer.node, &facts.why);
-    facts.isForOther = isForOtherUse(layer.node.attribute("name").value());
-    facts.isPassable = isPassable(layer.node.attribute("name").value()) || !noOf(propertiesOf(layer.node)).empty();
-    facts.isOnlySeen = isOnlySeen(layer.node.attribute("name").value());
+    facts.uses = usesOf(layer.node.attribute("name").value());
+    facts.uses.isPassable |= !noOf(propertiesOf(layer.node)).empty();
     facts.isDrawn = layer.node.attribute(kDrawnAttribute);
     return at->second;
   }
@@ -85,7 +85,7 @@ class Census {
     }
     for (RuleFacts* const rule : rules) rule->isOfShaped = true;
     for (const auto& [number, count] : uses) takeTile(map, facts, rules, number, count);
-    if (facts.isPassable && facts.shaped > 0) pass(facts.name, facts.shaped, true);
+    if (facts.uses.isPassable && facts.shaped + facts.ruled > 0) pass(facts.name, facts.shaped + facts.ruled, true);
   }
 
   /// The first property that says that something is not solid.
@@ -99,7 +99,7 @@ class Census {
   /// The class, name or property by which something is deadly or passable; or "".
   static std::string passableOf(const std::string& className, const std::string& name, const Properties& properties) {
     for (const std::string& one : {className, name})
-      if (isPassable(one)) return one;
+      if (usesOf(one).isPassable) return one;
     return noOf(properties);
   }
 
@@ -154,7 +154,7 @@ class Census {
       facts.passable += uses;
       return pass(all.passable, uses, false, all.isBare);
     }
-    if (!facts.isPassable)
+    if (!facts.uses.isPassable)
       for (const std::string& why : all.shapes) pass(why, uses);
     if (all.isShaped) facts.shaped += uses;
     if (tile.isSettled || !all.isBare) return;
@@ -162,10 +162,8 @@ class Census {
     std::set<RuleFacts*> rules(ofLayer.begin(), ofLayer.end());
     rules.insert(all.rules.begin(), all.rules.end());
     if (facts.isDrawn) rules.erase(ruleFacts("class", tile.className));  // which is the name of the layer
-    for (RuleFacts* const rule : rules) {
-      rule->uses += uses;
-      rule->layers[facts.name] += uses;
-    }
+    if (!rules.empty()) facts.ruled += uses;
+    for (RuleFacts* const rule : rules) rule->uses += uses;
   }
 
   /// The rule that takes what has a property; null if the property says nothing.

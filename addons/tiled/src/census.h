@@ -9,16 +9,15 @@ namespace lgs::tiled {
 struct LayerFacts {
   std::string name;  ///< its path, without that of its map or level
   LayerKind kind{};
-  Saying saying;            ///< of its name, class or a property
-  std::string why;          ///< in words
-  bool isDrawn = false;     ///< of LDtk, and only drawn
-  bool isForOther = false;  ///< its name has a word for another use, such as "background"
-  bool isOnlySeen = false;  ///< its name says that it lies behind or above the others
-  bool isPassable = false;  ///< its name or a property says that bodies go through it, or die
+  Saying saying;         ///< of its name, class or a property
+  std::string why;       ///< in words
+  bool isDrawn = false;  ///< of LDtk, and only drawn
+  Uses uses;             ///< of its name; isPassable also if a property says so
 
   std::uint64_t tiles = 0;     ///< that are not empty
   std::uint64_t shaped = 0;    ///< of these, with shapes of their own
   std::uint64_t bare = 0;      ///< of these, without shapes, so that they could be full squares
+  std::uint64_t ruled = 0;     ///< of the bare ones, with a property that says something
   std::uint64_t passable = 0;  ///< of these, or of the objects, deadly or passable
   std::uint64_t cells = 0;     ///< of its rectangle
 
@@ -42,10 +41,9 @@ struct LayerFacts {
 /// Of a property of tiles that says something.
 struct RuleFacts {
   Saying saying;
-  bool isOfShaped = false;                      ///< tiles with shapes have it as well, or a layer has it
-  std::uint64_t uses = 0;                       ///< tiles without shapes, in layers, that have it
-  std::uint64_t objects = 0;                    ///< objects without names that have it
-  std::map<std::string, std::uint64_t> layers;  ///< the same by layer
+  bool isOfShaped = false;    ///< tiles with shapes have it as well, or a layer has it
+  std::uint64_t uses = 0;     ///< tiles without shapes, in layers, that have it
+  std::uint64_t objects = 0;  ///< objects without names that have it
 };
 
 /// Of what is deadly or passable, and would be taken.

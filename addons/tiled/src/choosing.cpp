@@ -5,6 +5,33 @@
 #include <utility>
 
 namespace lgs::tiled {
+namespace {
+
+/// How many tiles or objects of a layer an import took.
+std::uint64_t taken(const LayerFacts& layer, const Report& report) {
+  std::uint64_t count = 0;
+  for (const LayerReport& one : report.layers)
+    if (one.kind == layer.kind && one.name == layer.name) count += one.solid;
+  return count;
+}
+
+/// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
+/// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
+bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
+  if (layer.isDrawn || layer.uses.isPassable || layer.saying.says == Says::nothing) return false;
+  if (layer.saying.says == Says::collision) return true;
+  if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
+  return choice.evidence == Evidence::solid && choice.options.layers.empty() && !layer.saying.isFloor();
+}
+
+/// Beside layers that were taken as a whole another one may be meant as well, unless its name says what it is. Water
+/// often stops bodies that walk.
+bool isPlainLayer(const LayerFacts& layer) {
+  return layer.kind == LayerKind::tiles && layer.bare > 0 && !layer.uses.isOnlySeen && !layer.isDrawn &&
+         (!layer.uses.isOther || layer.uses.isGoneThrough);
+}
+
+}  // namespace
 
 std::vector<std::string> choosingArguments(const Options& options) {
   std::vector<std::string> result;
@@ -29,18 +56,18 @@ const LayerFacts* onlyLayer(const Facts& facts) {
     if (layer.kind == LayerKind::objects) {
       const bool areBoxes = layer.objects > layer.figures && !areThings(layer);
       if (layer.saying.says == Says::nothing && areBoxes) return nullptr;
-    } else if (layer.isForOther) {
-      if (!isFull(layer) && !layer.isPassable) passedOver = std::max(passedOver, layer.tiles);
-      if (isForeground(layer.name)) fore.push_back(&layer);
+    } else if (layer.uses.isOther) {
+      if (!isFull(layer) && !layer.uses.isPassable) passedOver = std::max(passedOver, layer.tiles);
+      if (layer.uses.isForeground) fore.push_back(&layer);
     } else if (!isTiny(layer)) {
       if (layer.isDrawn) return nullptr;
       all.push_back(&layer);
-      if (isMainName(layer.name)) called.push_back(&layer);
+      if (layer.uses.isMain) called.push_back(&layer);
     }
   }
   const Layers& some = all.empty() ? fore : all.size() > 1 ? called : all;
   const LayerFacts* const only = some.size() == 1 ? some.front() : nullptr;
-  const bool isRivalled = only && !only->isForOther && only->tiles < passedOver;
+  const bool isRivalled = only && !only->uses.isOther && only->tiles < passedOver;
   const bool isIt = only && only->bare > 0 && 2 * only->tiles <= only->cells && !isRivalled;
   return isIt && !isTiny(*only) ? only : nullptr;
 }
@@ -61,7 +88,7 @@ GridValues valuesOf(const Layers& layers) {
   for (const auto& [name, uses] : values) {
     const Saying said = saying(name);
     const bool isOther = isWalled ? !said.isWall() : said.says == Says::nothing;
-    if (isGoneThrough(name) || (isWalled && said.isFloor())) result.through.push_back(name);
+    if (usesOf(name).isGoneThrough || (isWalled && said.isFloor())) result.through.push_back(name);
     if (isSaid && isOther) result.others.push_back(name);
     if (!isWalled && said.isFloor() && 2 * uses > cells) result.floors.push_back(name);
   }
@@ -76,34 +103,6 @@ bool leaveChoice(const Options& options) {
   return !options.solidWithoutShapes && options.solidIf.empty() && !options.objects && options.tiles.empty();
 }
 
-namespace {
-
-/// How many tiles or objects of a layer an import took.
-std::uint64_t taken(const LayerFacts& layer, const Report& report) {
-  std::uint64_t count = 0;
-  for (const LayerReport& one : report.layers)
-    if (one.kind == layer.kind && one.name == layer.name) count += one.solid;
-  return count;
-}
-
-/// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
-/// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
-bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
-  if (layer.isDrawn || layer.isPassable || layer.saying.says == Says::nothing) return false;
-  if (layer.saying.says == Says::collision) return true;
-  if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
-  return choice.evidence == Evidence::solid && choice.options.layers.empty() && !layer.saying.isFloor();
-}
-
-/// Beside layers that were taken as a whole another one may be meant as well, unless its name says what it is. Water
-/// often stops bodies that walk.
-bool isPlainLayer(const LayerFacts& layer) {
-  return layer.kind == LayerKind::tiles && layer.bare > 0 && !layer.isOnlySeen && !layer.isDrawn &&
-         (!layer.isForOther || isGoneThrough(layer.name));
-}
-
-}  // namespace
-
 std::string linesLeftOut(const std::string& layer, std::uint64_t lines) {
   return concat("object layer ", layer, ", of which ", counted(lines, "open polyline"), lines == 1 ? " is" : " are",
                 " left out");
@@ -116,7 +115,7 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
     const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
     const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
     const bool isPlain = !choice.options.layers.empty() && isPlainLayer(layer);
-    const bool isWater = isOfObjects && facts.isLdtk && isGoneThrough(layer.name) && !layer.isPassable;
+    const bool isWater = isOfObjects && facts.isLdtk && layer.uses.isGoneThrough && !layer.uses.isPassable;
     const std::uint64_t count = taken(layer, report);
     const bool isBegun = isOfObjects && count > 0;  // some are taken, by their class or property
     if (!says && !isPlain && !isWater && !isBegun && !(areBoxes && layer.classes.empty())) continue;
@@ -124,11 +123,11 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
     const bool due = isDue(layer, choice, facts.isLdtk);
     const auto add = [&](std::string text, std::string offer, bool isPart, const auto& take) {
       if (result.size() == kMaxSuggestions) return;  // as many commands follow
-      result.push_back({std::move(text), choice.options, std::move(offer), isPart});
+      result.push_back({std::move(text), choice.options, std::move(offer), isPart, says || isWater || isBegun});
       take(result.back().options);
       if (isPart) take(all);
     };
-    const bool isForSeeing = isFull(layer) || layer.isDrawn || layer.isPassable || !layer.values.empty();
+    const bool isForSeeing = isFull(layer) || layer.isDrawn || layer.uses.isPassable || !layer.values.empty();
     if (!isOfObjects && !isForSeeing && count + layer.passable < layer.tiles)
       add(concat("tile layer ", layer.name, ", of which ", count, " of ", counted(layer.tiles, "tile"), " are taken"),
           "the same with all of tile layer " + layer.name, due && 4 * count < 3 * layer.tiles, [&](Options& more) {

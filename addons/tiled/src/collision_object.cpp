@@ -13,6 +13,7 @@ namespace {
 using Kind = CollisionObject::Kind;
 
 constexpr std::int64_t kMostId = 0xFFFF'FFFF;
+constexpr std::uint32_t kHorizontal = 0x8000'0000, kVertical = 0x4000'0000, kDiagonal = 0x2000'0000;  // flips
 
 /// Reads the vertices of a polygon, or of a polyline.
 void readPoints(const XmlFile& file, pugi::xml_node node, bool closed, CollisionObject& object) {
@@ -73,63 +74,6 @@ CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint 
   readKind(file, node, object);
   return object;
 }
-
-}  // namespace
-
-bool isOpen(const std::vector<DoublePoint>& points) {
-  return points.size() < 4 || points.front().x != points.back().x || points.front().y != points.back().y;
-}
-
-void leaveOut(CollisionObject& object, std::string reason) {
-  object.kind = Kind::unsupported;
-  object.unsupported = std::move(reason);
-}
-
-CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates) {
-  const std::string named = node.attribute("template").value();
-  if (named.empty()) return readPlain(file, node, offset);
-  std::unique_ptr<Template>& known = templates[file.pathTo(named)];
-  if (!known) known = std::make_unique<Template>(file, named);
-  Template& origin = *known;
-  const auto model = origin.file.root().child("object");
-  if (origin.error || !model) {
-    CollisionObject object;
-    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
-    leaveOut(object, "its template " + (origin.error ? message(*origin.error) : named + " has no <object>"));
-    return object;
-  }
-  pugi::xml_document merged;
-  merge(node, model, merged);
-  CollisionObject object = readPlain(file, merged.first_child(), offset);
-  if (!node.attribute("gid")) object.gidFrom = &origin;
-  return object;
-}
-
-bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
-               const Properties& properties) {
-  return std::any_of(options.leaveOut.begin(), options.leaveOut.end(), [&](const std::string& rule) {
-    return (!className.empty() && rule == className) || (!name.empty() && rule == name) ||
-           (rule.find('=') != std::string::npos && firstFit({rule}, properties));
-  });
-}
-
-CollisionObject asAsked(CollisionObject object, const Options& options) {
-  const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
-  if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
-  if (object.kind == Kind::unsupported) return object;
-  if (isNotAsked) {
-    leaveOut(object, "it is left out, as asked");
-  } else if (object.hidden && options.visibleOnly) {
-    leaveOut(object, "it is hidden");
-  } else if (object.kind == Kind::polyline) {
-    object.thickness = object.points.size() > 1 ? options.polylineThickness : 0;
-    if (object.thickness == 0)
-      leaveOut(object, concat(kNoArea, ": close it, or --polyline-thickness PIXELS makes it thick"));
-  }
-  return object;
-}
-
-namespace {
 
 /// Cosine and sine of an angle in degrees. They are exact for quarter turns, so that turned rectangles stay on the
 /// grid.
@@ -197,6 +141,59 @@ std::vector<Outline> plainOutlines(const CollisionObject& object) {
 
 }  // namespace
 
+bool isOpen(const std::vector<DoublePoint>& points) {
+  return points.size() < 4 || points.front().x != points.back().x || points.front().y != points.back().y;
+}
+
+void leaveOut(CollisionObject& object, std::string reason) {
+  object.kind = Kind::unsupported;
+  object.unsupported = std::move(reason);
+}
+
+CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates) {
+  const std::string named = node.attribute("template").value();
+  if (named.empty()) return readPlain(file, node, offset);
+  std::unique_ptr<Template>& known = templates[file.pathTo(named)];
+  if (!known) known = std::make_unique<Template>(file, named);
+  Template& origin = *known;
+  const auto model = origin.file.root().child("object");
+  if (origin.error || !model) {
+    CollisionObject object;
+    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
+    leaveOut(object, "its template " + (origin.error ? message(*origin.error) : named + " has no <object>"));
+    return object;
+  }
+  pugi::xml_document merged;
+  merge(node, model, merged);
+  CollisionObject object = readPlain(file, merged.first_child(), offset);
+  if (!node.attribute("gid")) object.gidFrom = &origin;
+  return object;
+}
+
+bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
+               const Properties& properties) {
+  return std::any_of(options.leaveOut.begin(), options.leaveOut.end(), [&](const std::string& rule) {
+    return (!className.empty() && rule == className) || (!name.empty() && rule == name) ||
+           (rule.find('=') != std::string::npos && firstFit({rule}, properties));
+  });
+}
+
+CollisionObject asAsked(CollisionObject object, const Options& options) {
+  const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
+  if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
+  if (object.kind == Kind::unsupported) return object;
+  if (isNotAsked) {
+    leaveOut(object, "it is left out, as asked");
+  } else if (object.hidden && options.visibleOnly) {
+    leaveOut(object, "it is hidden");
+  } else if (object.kind == Kind::polyline) {
+    object.thickness = object.points.size() > 1 ? options.polylineThickness : 0;
+    if (object.thickness == 0)
+      leaveOut(object, concat(kNoArea, ": close it, or --polyline-thickness PIXELS makes it thick"));
+  }
+  return object;
+}
+
 std::vector<Outline> outlines(const CollisionObject& object) {
   std::vector<Outline> all = plainOutlines(object);
   for (Outline& outline : all) {
@@ -215,23 +212,19 @@ DoublePoint turned(DoublePoint p, double degrees) {
 
 std::uint32_t tileNumber(std::uint32_t gid) { return gid & 0x0FFF'FFFF; }  // one flag is only for hexagonal maps
 
-Flips flipsOf(std::uint32_t gid) {
-  return {(gid & 0x8000'0000) != 0, (gid & 0x4000'0000) != 0, (gid & 0x2000'0000) != 0};
-}
-
 void ImageFrame::scaleTo(DoublePoint size) {
-  const DoublePoint box = flips.diagonal ? DoublePoint{image.y, image.x} : image;
+  const DoublePoint box = (gid & kDiagonal) != 0 ? DoublePoint{image.y, image.x} : image;
   scale = {size.x / box.x, size.y / box.y};
 }
 
 DoublePoint ImageFrame::toCell(DoublePoint p) const {
   DoublePoint box = image;
-  if (flips.diagonal) {
+  if ((gid & kDiagonal) != 0) {
     std::swap(p.x, p.y);
     std::swap(box.x, box.y);
   }
-  if (flips.horizontal) p.x = box.x - p.x;
-  if (flips.vertical) p.y = box.y - p.y;
+  if ((gid & kHorizontal) != 0) p.x = box.x - p.x;
+  if ((gid & kVertical) != 0) p.y = box.y - p.y;
   return {p.x * scale.x + shift.x, (box.y - p.y) * scale.y - shift.y};
 }
 

@@ -67,21 +67,13 @@ std::vector<Outline> outlines(const CollisionObject& object);
 /// A point turned around the origin by an angle in degrees, clockwise where y points down. Quarter turns are exact.
 DoublePoint turned(DoublePoint p, double degrees);
 
-/// How a tile is flipped. The diagonal flip comes first: x and y change places.
-struct Flips {
-  bool horizontal = false;
-  bool vertical = false;
-  bool diagonal = false;
-};
-
-/// A number in a layer, or of a tile object: the tile's without the flags, and what the flags say.
+/// A number in a layer, or of a tile object, without the flags that say how the tile is flipped.
 std::uint32_t tileNumber(std::uint32_t gid);
-Flips flipsOf(std::uint32_t gid);
 
 /// How the image of a tile lies on its cell. Their lower left corners coincide, before the shift.
 struct ImageFrame {
-  DoublePoint image;  ///< size in pixels, before the flips
-  Flips flips;
+  DoublePoint image;      ///< size in pixels, before the flips
+  std::uint32_t gid = 0;  ///< with the flags for flipping; the diagonal flip comes first: x and y change places
   DoublePoint scale{1, 1};
   DoublePoint shift;  ///< pixels, y down: the tileset's offset, and what is no whole tile of the layer's offset
 

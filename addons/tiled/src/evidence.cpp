@@ -52,13 +52,6 @@ class Chooser {
     result_.push_back({evidence, std::move(options), std::move(text)});
   }
 
-  static bool isShaped(const LayerFacts& layer) { return layer.kind == LayerKind::tiles && layer.shaped > 0; }
-
-  bool hasRule(const LayerFacts& layer) const {
-    return std::any_of(facts_.rules.begin(), facts_.rules.end(),
-                       [&](const auto& rule) { return rule.second.layers.contains(layer.name); });
-  }
-
   /// No choice takes what is deadly or passable; nor pictures: backgrounds and what is above the player, whose tiles
   /// only look the same as those of another layer, and a floor that fills the map, if a layer says collision.
   void leaveOut() {
@@ -70,8 +63,8 @@ class Chooser {
     Layers pictures;
     bool areAll = true;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != LayerKind::tiles || layer.isPassable || !(isShaped(layer) || hasRule(layer))) continue;
-      const bool isPicture = layer.isOnlySeen || (isSaid && layer.saying.isFloor() && isFull(layer));
+      if (layer.uses.isPassable || layer.shaped + layer.ruled == 0) continue;
+      const bool isPicture = layer.uses.isOnlySeen || (isSaid && layer.saying.isFloor() && isFull(layer));
       isPicture ? pictures.push_back(&layer) : void(areAll = false);
     }
     if (!areAll) pictures_ = namesOf(pictures);
@@ -87,7 +80,7 @@ class Chooser {
       if (layer.kind != LayerKind::tiles || layer.isDrawn || layer.tiles == 0) continue;
       all.push_back(&layer);
       if (layer.saying.word.starts_with("coll")) called.push_back(&layer);  // "Solid" may be one of several materials
-      if (!layer.isForOther || isForeground(layer.name)) some.push_back(&layer);
+      if (!layer.uses.isOther || layer.uses.isForeground) some.push_back(&layer);
     }
     if (std::any_of(all.begin(), all.end(), [](const LayerFacts* layer) { return layer->saying.isWall(); }))
       std::erase_if(some, [](const LayerFacts* layer) { return layer->saying.isFloor(); });
@@ -126,7 +119,7 @@ class Chooser {
   Layers saying(LayerKind kind, Says says) const {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != kind || layer.saying.says != says || layer.isPassable || isMixed(layer)) continue;
+      if (layer.kind != kind || layer.saying.says != says || layer.uses.isPassable || isMixed(layer)) continue;
       const bool isThere = kind == LayerKind::objects ? isDrawnByHand(layer) : layer.tiles > 0;
       if (isThere && !(kind == LayerKind::tiles && (isFull(layer) || isWalkedOn(layer)))) layers.push_back(&layer);
     }
@@ -154,7 +147,7 @@ class Chooser {
     Layers shaped;
     std::uint64_t uses = 0;
     for (const LayerFacts& layer : facts_.layers) {
-      if (!isShaped(layer) || layer.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
+      if (layer.shaped == 0 || layer.uses.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
       shaped.push_back(&layer);
       uses += layer.shaped;
     }
@@ -291,14 +284,22 @@ class Chooser {
     }
     const auto key = [](const LayerFacts* layer) {
       if (layer->kind == LayerKind::tiles)
-        return std::tuple(1, isFull(*layer), isTiny(*layer), layer->isForOther, !isMainName(layer->name),
-                          -layer->share());
+        return std::tuple(1, isFull(*layer), isTiny(*layer), layer->uses.isOther, !layer->uses.isMain, -layer->share());
       const bool areOthers = layer->saying.says == Says::nothing && areThings(*layer);
       return std::tuple(areOthers ? 2 : 0, layer->figures > 0, false, false, false, 0.0);
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
+    constexpr std::size_t kMostTogether = 4;  // of more some are decoration
+    Layers plain;                             // nobody can tell which of them is the ground, or whether all are
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(plain), [&](const LayerFacts* layer) {
+      return layer->kind == LayerKind::tiles && layer->saying.says == Says::nothing && !isFull(*layer) &&
+             !isTiny(*layer) && !layer->uses.isOther && !layer->uses.isMain;
+    });
     for (const LayerFacts* layer : layers) {
       const bool ofTiles = layer->kind == LayerKind::tiles;
+      if (plain.size() > 1 && plain.size() <= kMostTogether && layer == plain.front())
+        add(Evidence::offered, wholeLayers(plain),
+            "tile layers " + listed(namesOf(plain)) + ": nothing says what they are");
       Options options = ofTiles ? wholeLayers({layer}) : options_;
       if (!ofTiles) options.objects = {layer->name};
       if (layer->bareFigures > 0 &&

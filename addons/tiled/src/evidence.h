@@ -42,7 +42,7 @@ using Layers = std::vector<const LayerFacts*>;
 inline bool isDrawnByHand(const LayerFacts& layer) { return layer.objects > layer.figures || layer.lines > 0; }
 
 /// Whether the objects of a layer are things with names, rather than the boxes of a ground.
-inline bool areThings(const LayerFacts& layer) { return layer.isForOther || 2 * layer.named > layer.objects; }
+inline bool areThings(const LayerFacts& layer) { return layer.uses.isOther || 2 * layer.named > layer.objects; }
 
 /// The only tile layer that could be solid, in a map that says nothing, or the only one of several that is called
 /// "level" or the like, or a foreground beside nothing but backgrounds; or null. It must be half empty: a layer that
@@ -72,10 +72,11 @@ inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Ev
 
 /// What else says that it is solid, and is not in a choice, or only in part, by what the import of the choice took.
 struct Missed {
-  std::string text;   ///< "tile layer Blocks, of which 211 of 349 tiles are taken"; empty for all others together
-  Options options;    ///< that would take it
-  std::string offer;  ///< what these take
-  bool isDue = true;  ///< without it the map is taken in part; otherwise it may be weaker evidence for the same thing
+  std::string text;    ///< "tile layer Blocks, of which 211 of 349 tiles are taken"; empty for all others together
+  Options options;     ///< that would take it
+  std::string offer;   ///< what these take
+  bool isDue = true;   ///< without it the map is taken in part; otherwise it may be weaker evidence for the same thing
+  bool isSaid = true;  ///< something speaks for it; otherwise it is only there
 };
 std::vector<Missed> missed(const Facts& facts, const Choice& taken, const Options& options, const Report& report);
 

@@ -215,8 +215,7 @@ class Import {
     Tile tile = tileAt(tileset, id);
     report.isSolid |= squareAsAsked(tile, layer.properties, options_);
     if (report.layers.empty() || report.layers.back() != layer.index) report.layers.push_back(layer.index);
-    ImageFrame frame{
-        tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
+    ImageFrame frame{tile.size, gid, {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
     if (tileset.fitToGrid) frame.scaleTo(grid_.tile);
     std::vector<Note> notes;
     cutTile(tile, frame, grid_, options_, budget_, notes,

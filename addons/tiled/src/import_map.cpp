@@ -152,7 +152,7 @@ class WholeImport {
           offer(map, choice.options, "hidden, and --visible leaves it out: " + choice.text, false);
     }
     const auto lines = std::find_if(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& layer) {
-      return layer.lines > 0 && layer.saying.says != Says::nothing && !layer.isPassable;
+      return layer.lines > 0 && layer.saying.says != Says::nothing && !layer.uses.isPassable;
     });
     if (lines != facts_.layers.end() && options_.polylineThickness == 0) {
       Options thick = options_;
@@ -163,17 +163,21 @@ class WholeImport {
     for (const Choice& choice : choices_) offer(map, choice.options, choice.text);
   }
 
-  /// What else says that it is solid; and if none of that is an offer, the next best choice.
+  /// What else says that it is solid; if none of that is an offer, the next best choice that something speaks for; then
+  /// what is only there, and at last any other choice.
   void offerMissed(ImportedMap& map) {
     offered_.insert(choosingArguments(taken_->options));
     Report& report = map.report;
     if (isLittle(report) && (taken_->evidence != Evidence::solid || onlyLayer(facts_)))
       join(report.partial, "it is less than 3 % of the map");
-    for (const Missed& part : missed(facts_, *taken_, options_, report)) {
-      if (offer(map, part.options, part.offer)) join(part.isDue ? report.partial : report.also, part.text);
+    const std::vector<Missed> parts = missed(facts_, *taken_, options_, report);
+    for (const bool isSaid : {true, false}) {
+      for (const Missed& part : parts)
+        if (part.isSaid == isSaid && offer(map, part.options, part.offer))
+          join(part.isDue ? report.partial : report.also, part.text);
+      for (const Choice& choice : choices_)
+        if (report.suggestions.empty() && (isTakenByItself(choice) || !isSaid)) offer(map, choice.options, choice.text);
     }
-    for (const Choice& choice : choices_)
-      if (report.suggestions.empty()) offer(map, choice.options, choice.text);
   }
 
   /// Reads the map, and what it names. A problem is kept.

@@ -3,6 +3,7 @@
 #include "ldtk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -23,7 +24,7 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
   bool end_array() { return close(); }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& exception) {
     const std::string_view read = text_.substr(0, position);
-    fault.line = 1 + static_cast<std::size_t>(std::count(read.begin(), read.end(), '\n')) - read.ends_with('\n');
+    fault.line = static_cast<int>(1 + std::count(read.begin(), read.end(), '\n') - read.ends_with('\n'));
     std::string_view what = exception.what();  // "[json.exception.parse_error.101] parse error at …: what"
     const auto colon = what.find(": ");
     what = what.substr(colon == std::string_view::npos ? what.find("] ") + 2 : colon + 2);
@@ -33,12 +34,12 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
     return false;
   }
 
-  JsonFault fault;
+  ImportError fault;
 
  private:
   bool open() {
     if (depth_++ < kMaxJsonDepth) return true;
-    fault = {0, concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep")};
+    fault.what = concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep");
     return false;
   }
   bool close() {
@@ -53,9 +54,56 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
 
 const Json kNoJson;
 
+struct Known {
+  Sign kind;
+  std::string_view sign;
+  std::string_view what;
+};
+
+constexpr std::array kKnown{
+    Known{Sign::text, "[gd_scene", "a Godot scene"},
+    Known{Sign::text, "[gd_resource", "a Godot resource"},
+    Known{Sign::text, "\x89PNG", "a PNG image, and no map"},
+    Known{Sign::text, "\xFF\xD8\xFF", "a JPEG image, and no map"},
+    Known{Sign::text, "GIF8", "a GIF image, and no map"},
+    Known{Sign::text, "RIFF", "an image or a sound, and no map"},
+    Known{Sign::text, "PK\x03\x04", "a ZIP archive: unpack it"},
+    Known{Sign::text, "\x1F\x8B", "packed by gzip: unpack it"},
+    Known{Sign::text, "%YAML", "a file of Unity or another program that writes YAML"},
+    Known{Sign::text, "version https://git-lfs", "a pointer of Git LFS: fetch the file itself with 'git lfs pull'"},
+    Known{Sign::text, "return {", "a Lua export: save the map as TMX or JSON"},
+    Known{Sign::text, "(function(name,data)", "a JavaScript export: save the map as TMX or JSON"},
+    Known{Sign::text, "lgs-trace", "a trace of lgs, and no map"},
+    Known{Sign::text, "lgssnap", "a saved world of lgs, and no map"},
+    Known{Sign::xml, "html", "a web page: download the file itself"},
+    Known{Sign::xml, "svg", "an SVG image, and no map"},
+    Known{Sign::xml, "ogmo", "an Ogmo project"},
+    Known{Sign::xml, "OgmoProject", "an Ogmo project"},
+    Known{Sign::xml, "level", "a level of Ogmo or another editor"},
+    Known{Sign::xml, "objecttypes", "a list of Tiled's object types"},
+    Known{Sign::json, "layerInstances", "one level of an LDtk project: import the project (.ldtk) that names it"},
+    Known{Sign::json, "ogmoVersion", "an Ogmo project or level"},
+    Known{Sign::json, "automappingRulesFile", "a Tiled project, which only lists folders: import its maps"},
+    Known{Sign::json, "expandedProjectPaths", "a Tiled session: import a map"},
+    Known{Sign::json, "frames", "an atlas of sprites, and no map"},
+};
+
+/// "map", "tileset", "template" or "world"; "" for what is none of Tiled's. Before Tiled 1.0 files did not say it.
+const char* tiledKind(const JsonPlace& root) {
+  const std::string type = root.text("type");
+  for (const char* kind : {"map", "tileset", "template", "world"}) {
+    if (type == kind) return kind;
+  }
+  if (!type.empty()) return "";
+  const auto has = [&](const char* key) { return !root[key].isMissing(); };
+  if (has("layers") && has("tilewidth")) return "map";
+  if (has("maps") || has("patterns")) return "world";
+  return has("object") ? "template" : has("tilewidth") ? "tileset" : "";
+}
+
 }  // namespace
 
-tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote) {
+tl::expected<Json, ImportError> parseJson(std::string_view text, bool mayQuote) {
   Checker checker(text, mayQuote);
   if (!Json::sax_parse(text.begin(), text.end(), &checker)) return tl::unexpected(std::move(checker.fault));
   return Json::parse(text.begin(), text.end(), nullptr, false);
@@ -120,23 +168,6 @@ double JsonPlace::number(std::optional<double> fallback) const {
   return fallback.value_or(0);
 }
 
-namespace {
-
-/// "map", "tileset", "template" or "world"; "" for what is none of Tiled's. Before Tiled 1.0 files did not say it.
-const char* tiledKind(const JsonPlace& root) {
-  const std::string type = root.text("type");
-  for (const char* kind : {"map", "tileset", "template", "world"}) {
-    if (type == kind) return kind;
-  }
-  if (!type.empty()) return "";
-  const auto has = [&](const char* key) { return !root[key].isMissing(); };
-  if (has("layers") && has("tilewidth")) return "map";
-  if (has("maps") || has("patterns")) return "world";
-  return has("object") ? "template" : has("tilewidth") ? "tileset" : "";
-}
-
-}  // namespace
-
 pugi::xml_node addElement(pugi::xml_node parent, const char* name, const JsonPlace& from) {
   pugi::xml_node node = parent.append_child(name);
   setAttribute(node, kPathAttribute, from.path);
@@ -159,10 +190,21 @@ void addProperty(pugi::xml_node node, const std::string& name, const Json& value
   if (const auto text = scalarText(value)) setAttribute(property, "value", *text);
 }
 
+std::string foreign(Sign kind, const std::function<bool(std::string_view sign)>& has) {
+  for (const Known& one : kKnown)
+    if (one.kind == kind && has(one.sign)) return isForeign(one.what);
+  return {};
+}
+
+std::string isForeign(std::string_view what) {
+  return concat("is ", what, ". What is read: maps of Tiled (TMX or JSON), worlds of Tiled and projects of LDtk");
+}
+
 void readJson(const XmlFile& file, std::string_view text, pugi::xml_document& document) {
-  const auto json = parseJson(text, file.mayQuote());
+  auto json = parseJson(text, file.mayQuote());
   if (!json) {
-    file.error() = ImportError{file.name(), static_cast<int>(json.error().line), "", json.error().what};
+    json.error().file = file.name();
+    file.error() = std::move(json.error());
     return;
   }
   const JsonPlace root{&*json, "", &file};

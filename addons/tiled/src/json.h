@@ -12,15 +12,9 @@ namespace lgs::tiled {
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, double,
                                   std::allocator, nlohmann::adl_serializer, std::vector<char>>;
 
-/// Why a text is not JSON, and in which line.
-struct JsonFault {
-  std::size_t line = 1;
-  std::string what;
-};
-
 /// Parses a text. Arrays and objects may be nested 512 deep, so that what goes through them may recurse. `mayQuote`:
-/// what is wrong may be quoted.
-tl::expected<Json, JsonFault> parseJson(std::string_view text, bool mayQuote);
+/// what is wrong may be quoted. The error has no file.
+tl::expected<Json, ImportError> parseJson(std::string_view text, bool mayQuote);
 
 /// A value in a document. Its functions take any kind of value, since nlohmann's own may end the program if the kind is
 /// another one than they expect.

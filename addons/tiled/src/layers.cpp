@@ -23,15 +23,8 @@ class Lister {
         drawnCounts_(options.solidWithoutShapes || !options.solidIf.empty()),
         names_(names) {}
 
-  struct Parent {
-    Layer layer;                 // `wanted` is that of its tile layers
-    bool objectsWanted = false;  // its object layers, by name
-    bool parallax = false;
-    bool hidden = false;
-    int depth = 0;
-  };
-
-  void list(pugi::xml_node node, const Parent& parent) {
+  /// `wanted` of the parent is that of its tile layers.
+  void list(pugi::xml_node node, const Layer& parent) {
     const auto world = node.attribute(kWorldAttribute);
     for (const auto child : node.children()) {
       if (world && std::string_view(world.value()) != child.attribute("name").value()) continue;
@@ -39,21 +32,23 @@ class Lister {
       const bool isDrawn = child.attribute(kDrawnAttribute) && !drawnCounts_;
       const bool group = kind == "group", tiles = kind == "layer" && !isDrawn, objects = kind == "objectgroup";
       if (!group && !tiles && !objects && !isDrawn && kind != "imagelayer") continue;
-      Parent self{parent.layer, parent.objectsWanted, parent.parallax || scrollsApart(child),
-                  parent.hidden || !child.attribute("visible").as_bool(true), parent.depth + 1};
-      self.layer.node = child;
-      extend(self.layer.path, child);
-      if (!child.attribute(kPlaceAttribute).as_bool()) extend(self.layer.pathInMap, child);
-      if (self.layer.path.size() > kMaxPathLength) {  // each layer has a copy
+      Layer self = parent;
+      self.node = child;
+      self.scrollsApart = parent.scrollsApart || scrollsApart(child);
+      self.isHidden = parent.isHidden || !child.attribute("visible").as_bool(true);
+      ++self.depth;
+      extend(self.path, child);
+      if (!child.attribute(kPlaceAttribute).as_bool()) extend(self.pathInMap, child);
+      if (self.path.size() > kMaxPathLength) {  // each layer has a copy
         return file_.fail(child, "has a path of names that is longer than 4096 bytes");
       }
-      self.layer.offset.x += file_.real(child, "offsetx");
-      self.layer.offset.y += file_.real(child, "offsety");
-      if (group || tiles) self.layer.wanted = names_.tiles.fit(self.layer) || self.layer.wanted;
-      if (group || objects) self.objectsWanted = names_.objects.fit(self.layer) || self.objectsWanted;
-      if (tiles) names_.objects.seeOther(self.layer, "a tile layer: --layer ");
-      if (objects) names_.tiles.seeOther(self.layer, "an object layer: --objects ");
-      if (isDrawn) names_.tiles.seeOther(self.layer, "a layer of tiles that are only drawn: --solid --layer ");
+      self.offset.x += file_.real(child, "offsetx");
+      self.offset.y += file_.real(child, "offsety");
+      if (group || tiles) self.wanted = names_.tiles.fit(self) || self.wanted;
+      if (group || objects) self.areObjectsAsked = names_.objects.fit(self) || self.areObjectsAsked;
+      if (tiles) names_.objects.seeOther(self, "a tile layer: --layer ");
+      if (objects) names_.tiles.seeOther(self, "an object layer: --objects ");
+      if (isDrawn) names_.tiles.seeOther(self, "a layer of tiles that are only drawn: --solid --layer ");
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
       } else if (self.depth > kMaxDepth) {
@@ -76,13 +71,12 @@ class Lister {
     return isOther("parallaxx") || isOther("parallaxy");
   }
 
-  void add(LayerKind kind, const Parent& self) {
-    Layer layer = self.layer;
+  void add(LayerKind kind, Layer layer) {
     layer.kind = kind;
-    layer.wanted = kind == LayerKind::tiles && self.layer.wanted;
     if (kind == LayerKind::objects) {
-      chooseObjects(layer, self);
+      chooseObjects(layer);
     } else if (kind == LayerKind::image) {
+      layer.wanted = false;
       layer.remark = layer.node.attribute(kDrawnAttribute) ? "tiles that are only drawn" : "an image";
     } else {
       layer.remark = layer.wanted ? layer.node.attribute(kRemarkAttribute).value() : "not chosen";
@@ -91,24 +85,24 @@ class Lister {
       layer.wanted = layer.isInReach = false;
       layer.remark = "left out (--not)";
     }
-    layer.isInReach = layer.isInReach && !(self.hidden && options_.visibleOnly);
-    if (layer.wanted && self.hidden && options_.visibleOnly) {
+    layer.isInReach = layer.isInReach && !(layer.isHidden && options_.visibleOnly);
+    if (layer.wanted && layer.isHidden && options_.visibleOnly) {
       layer.wanted = false;
       layer.remark = "hidden";
-    } else if (self.hidden && kind != LayerKind::image) {
+    } else if (layer.isHidden && kind != LayerKind::image) {
       join(layer.remark, layer.wanted ? "hidden (--visible leaves it out)" : "hidden");
     }
-    if (layer.wanted && self.parallax) {
+    if (layer.wanted && layer.scrollsApart) {
       join(layer.remark, "scrolls at its own speed (parallax); imported where it stands in the editor");
     }
     layers_.push_back(std::move(layer));
   }
 
-  void chooseObjects(Layer& layer, const Parent& self) const {
-    layer.isInReach = self.layer.wanted;
+  void chooseObjects(Layer& layer) const {
+    layer.isInReach = std::exchange(layer.wanted, false);
     layer.remark = "not chosen";
-    if (!options_.objects && !self.layer.wanted) return;
-    layer.wanted = options_.objects ? self.objectsWanted : sayingOf(layer.node, &layer.remark).says != Says::nothing;
+    if (!options_.objects && !layer.isInReach) return;
+    layer.wanted = options_.objects ? layer.areObjectsAsked : sayingOf(layer.node, &layer.remark).says != Says::nothing;
     if (!layer.wanted) pickObjects(layer);
     if (options_.objects && layer.wanted) layer.remark = layer.isPicked ? "chosen, of a class or name" : "chosen";
     if (options_.objects) return;
@@ -223,14 +217,14 @@ void AskedLayers::checkAll(const XmlFile& file, const char* kind) const {
 
 std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names) {
   Lister lister(file, options, names);
-  Lister::Parent root;
-  root.layer.path = root.layer.pathInMap = place.name;
-  root.layer.offset = place.offset;
-  root.layer.wanted = options.layers.empty();
+  Layer root;
+  root.path = root.pathInMap = place.name;
+  root.offset = place.offset;
+  root.wanted = options.layers.empty();
   if (!place.name.empty()) {
-    root.layer.wanted = names.tiles.fit(root.layer) || root.layer.wanted;
-    root.objectsWanted = names.objects.fit(root.layer);
-    root.layer.pathInMap.clear();
+    root.wanted = names.tiles.fit(root) || root.wanted;
+    root.areObjectsAsked = names.objects.fit(root);
+    root.pathInMap.clear();
   }
   lister.list(file.root(), root);
   return lister.finish();

@@ -24,6 +24,8 @@ struct Layer {
   DoublePoint offset;     ///< pixels, y down; the sum of its own and those of its groups
   bool isPicked = false;  ///< of an object layer: only objects for which isPicked() holds
   std::string remark;     ///< for the report: why it is taken or passed over, or what is special about it
+  bool areObjectsAsked = false, isHidden = false, scrollsApart = false;  ///< it, or a group around it
+  int depth = 0;                                                         ///< of groups around it
 };
 
 /// The property of a layer that is its path in its map. By it a rule can take all tiles of a layer.

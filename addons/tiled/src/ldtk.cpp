@@ -44,7 +44,6 @@ class LdtkProject {
     }
     writeIntGrids();
     writeDrawn();
-    if (worlds.size() > 1) setAttribute(map_, kLdtkWorldsAttribute, "1");
   }
 
  private:

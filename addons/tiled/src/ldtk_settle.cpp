@@ -65,7 +65,7 @@ pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
 void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes) {
   constexpr double kMostTiles = 1 << 28;
   pugi::xml_node root = file.root();
-  const pugi::xml_node world = root.attribute(kLdtkWorldsAttribute) ? chooseWorld(file, options) : root;
+  const pugi::xml_node world = root.attribute(kLdtkWidthAttribute) ? root : chooseWorld(file, options);
   if (file.failed()) return;
   LayerNames names(options);
   const std::vector<Layer> layers = listLayers(file, options, {}, names);

@@ -132,11 +132,6 @@ tl::expected<Snapped, std::string> snap(const std::vector<DoublePoint>& outline,
   return result;
 }
 
-bool isTangled(const Polygon& outline) {
-  constexpr std::size_t kTwice = 2 * kMaxCrossings;  // each crossing is seen from both of its edges
-  return crossings(outline, outline, kTwice) > kTwice;
-}
-
 std::optional<std::size_t> cutAlongGrid(const Polygon& outline, const PartSink& sink) {
   Polygon ring = tidied(outline);
   if (ring.size() < 3) return 0;

@@ -58,9 +58,6 @@ struct Snapped {
 tl::expected<Snapped, std::string> snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid,
                                         double mostCells);
 
-/// Whether an outline crosses itself so often (kMaxCrossings) that it is no drawing, and would take a brush minutes.
-bool isTangled(const Polygon& outline);
-
 /// Receives what lies of a polygon in one cell: how far this is from the polygon's home cell, and a ring in lattice
 /// units from its lower left corner.
 using PartSink = std::function<void(Cell shift, const Polygon& ring)>;

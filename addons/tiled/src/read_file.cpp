@@ -82,30 +82,6 @@ tl::expected<std::string, std::string> readRegularFile(const fs::path& path) {
   return text;
 }
 
-}  // namespace
-
-tl::expected<std::string, std::string> readFile(const std::string& path) {
-  std::error_code failed;
-  const fs::path real = fs::canonical(path, failed);
-  if (failed) return because(kNone);
-  return readRegularFile(real);
-}
-
-FileReader readerBelow(const std::string& folder) {
-  return [folder](const std::string& path) -> tl::expected<std::string, std::string> {
-    if (!liesBelow(folder, path)) return because("it is not below the folder");
-    std::error_code failed;
-    const fs::path root = fs::canonical(folder.empty() ? "." : folder, failed);
-    const fs::path real = failed ? fs::path() : fs::canonical(path, failed);
-    if (failed) return because(kNone);
-    // Nothing is said of what lies elsewhere, not even whether it is there.
-    const bool isBelow = liesBelow(root.generic_string(), real.generic_string());
-    return isBelow ? readRegularFile(real) : because("it is a symbolic link out of the folder");
-  };
-}
-
-namespace {
-
 /// The names of all that lies in a folder.
 std::vector<std::string> namesIn(const fs::path& folder, std::error_code& failed) {
   std::vector<std::string> names;
@@ -142,6 +118,26 @@ std::optional<std::string> otherCase(const fs::path& folder, const fs::path& pat
 }
 
 }  // namespace
+
+tl::expected<std::string, std::string> readFile(const std::string& path) {
+  std::error_code failed;
+  const fs::path real = fs::canonical(path, failed);
+  if (failed) return because(kNone);
+  return readRegularFile(real);
+}
+
+FileReader readerBelow(const std::string& folder) {
+  return [folder](const std::string& path) -> tl::expected<std::string, std::string> {
+    if (!liesBelow(folder, path)) return because("it is not below the folder");
+    std::error_code failed;
+    const fs::path root = fs::canonical(folder.empty() ? "." : folder, failed);
+    const fs::path real = failed ? fs::path() : fs::canonical(path, failed);
+    if (failed) return because(kNone);
+    // Nothing is said of what lies elsewhere, not even whether it is there.
+    const bool isBelow = liesBelow(root.generic_string(), real.generic_string());
+    return isBelow ? readRegularFile(real) : because("it is a symbolic link out of the folder");
+  };
+}
 
 tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path) {
   std::error_code failed, ignored;  // what can not be looked at is no file

@@ -17,12 +17,8 @@ constexpr std::uint32_t kMaxNesting = 64;       // of groups
 constexpr std::uint32_t kMaxTries = 1'000'000;  // of a match from one letter on, and how deep they may nest
 constexpr std::uint32_t kMaxKibibytes = 4'096;  // of a match
 
-struct Free {
-  void operator()(pcre2_code* code) const { pcre2_code_free(code); }
-  void operator()(pcre2_compile_context* context) const { pcre2_compile_context_free(context); }
-  void operator()(pcre2_match_context* context) const { pcre2_match_context_free(context); }
-  void operator()(pcre2_match_data* data) const { pcre2_match_data_free(data); }
-};
+template <class T>
+using Owned = std::unique_ptr<T, void (*)(T*)>;
 
 std::string textOf(int error) {
   std::array<PCRE2_UCHAR, 256> text{};
@@ -46,25 +42,25 @@ tl::expected<std::vector<Fit>, std::string> namesThatFit(std::string_view patter
                                                          const std::vector<std::string>& names,
                                                          std::uint64_t& stepsLeft) {
   if (pattern.size() > kMaxLength) return tl::unexpected(concat("has more than ", kMaxLength, " bytes"));
-  const std::unique_ptr<pcre2_compile_context, Free> nesting(pcre2_compile_context_create(nullptr));
+  const Owned<pcre2_compile_context> nesting(pcre2_compile_context_create(nullptr), pcre2_compile_context_free);
   pcre2_set_parens_nest_limit(nesting.get(), kMaxNesting);
   int error = 0;
   PCRE2_SIZE at = 0;
   // A text that is not UTF-8 is matched all the same: a name of a file may have any bytes.
   constexpr std::uint32_t kOptions = PCRE2_UTF | PCRE2_MATCH_INVALID_UTF | PCRE2_NEVER_BACKSLASH_C | PCRE2_AUTO_CALLOUT;
-  const std::unique_ptr<pcre2_code, Free> code(
-      pcre2_compile(unitsOf(pattern), pattern.size(), kOptions, &error, &at, nesting.get()));
+  const Owned<pcre2_code> code(pcre2_compile(unitsOf(pattern), pattern.size(), kOptions, &error, &at, nesting.get()),
+                               pcre2_code_free);
   if (!code) return tl::unexpected(concat("is wrong at byte ", at + 1, ": ", textOf(error)));
   std::uint32_t captures = 0;
   pcre2_pattern_info(code.get(), PCRE2_INFO_CAPTURECOUNT, &captures);
   if (captures != 2)
     return tl::unexpected(concat("has ", captures, " captures. It needs two: (…) for the column and (…) for the row"));
-  const std::unique_ptr<pcre2_match_context, Free> limits(pcre2_match_context_create(nullptr));
+  const Owned<pcre2_match_context> limits(pcre2_match_context_create(nullptr), pcre2_match_context_free);
   pcre2_set_match_limit(limits.get(), kMaxTries);
   pcre2_set_depth_limit(limits.get(), kMaxTries);
   pcre2_set_heap_limit(limits.get(), kMaxKibibytes);
   pcre2_set_callout(limits.get(), takeStep, &stepsLeft);
-  const std::unique_ptr<pcre2_match_data, Free> data(pcre2_match_data_create_from_pattern(code.get(), nullptr));
+  const Owned<pcre2_match_data> data(pcre2_match_data_create_from_pattern(code.get(), nullptr), pcre2_match_data_free);
   std::vector<Fit> fits;
   for (const std::string& name : names) {
     stepsLeft -= std::min<std::uint64_t>(stepsLeft, name.size());

@@ -52,6 +52,53 @@ void readContent(const XmlFile& file, pugi::xml_node node, Templates& templates,
   }
 }
 
+constexpr std::int64_t kMaxTiles = 1 << 16;  // of a table
+
+/// "3", "60-63" or "0,39,60-63"; none if it is something else.
+std::vector<std::uint32_t> idsIn(std::string_view text) {
+  std::vector<std::uint32_t> ids;
+  for (const std::string_view part : split(text, ",")) {
+    const std::size_t dash = part.find('-');
+    const auto from = parseInteger(part.substr(0, dash));
+    const auto to = dash == std::string_view::npos ? from : parseInteger(part.substr(dash + 1));
+    if (!from || !to || *from < 0 || *to > kMaxGid || *to < *from || *to - *from >= kMaxTiles) return {};
+    for (std::int64_t id = *from; id <= *to; ++id) ids.push_back(static_cast<std::uint32_t>(id));
+  }
+  return ids;
+}
+
+/// A decimal, or a fraction of two.
+std::optional<double> numberIn(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const auto over = parseReal(text.substr(0, slash));
+  const auto under = slash == std::string_view::npos ? std::optional(1.0) : parseReal(text.substr(slash + 1));
+  constexpr double kMost = 1e6;
+  if (!over || !under || *under <= 0 || std::abs(*over) > kMost || *under > kMost) return std::nullopt;
+  return *over / *under;
+}
+
+tl::expected<TileShape, std::string> shapeIn(std::string_view text) {
+  constexpr std::string_view kOneWay = "oneway ";
+  TileShape shape;
+  if (text == "none") return shape;
+  if (text == "full") text = "0 0 1 0 1 1 0 1";
+  shape.oneWay = text.starts_with(kOneWay);
+  std::vector<double> numbers;
+  for (const std::string_view part : split(text.substr(shape.oneWay ? kOneWay.size() : 0), " \t,")) {
+    if (part.empty()) continue;
+    const auto number = numberIn(part);
+    if (!number)
+      return tl::unexpected<std::string>(
+          "should say full, none, oneway with x y of two points or more, or x y of three or more");
+    numbers.push_back(*number);
+  }
+  const std::size_t least = shape.oneWay ? 2 : 3;
+  if (numbers.size() % 2 != 0 || numbers.size() / 2 < least || numbers.size() / 2 > kMaxObjectVertices)
+    return tl::unexpected(concat("should have x y of ", least, " points or more"));
+  for (std::size_t k = 0; k < numbers.size(); k += 2) shape.outline.push_back({numbers[k], numbers[k + 1]});
+  return shape;
+}
+
 }  // namespace
 
 Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates) {
@@ -123,57 +170,6 @@ const Tileset* Tilesets::of(std::uint32_t number) const {
   const Tileset& tileset = *(next - 1);
   return tileset.tileCount == 0 || number - tileset.firstGid < tileset.tileCount ? &tileset : nullptr;
 }
-
-namespace {
-
-constexpr std::int64_t kMaxTiles = 1 << 16;  // of a table
-
-/// "3", "60-63" or "0,39,60-63"; none if it is something else.
-std::vector<std::uint32_t> idsIn(std::string_view text) {
-  std::vector<std::uint32_t> ids;
-  for (const std::string_view part : split(text, ",")) {
-    const std::size_t dash = part.find('-');
-    const auto from = parseInteger(part.substr(0, dash));
-    const auto to = dash == std::string_view::npos ? from : parseInteger(part.substr(dash + 1));
-    if (!from || !to || *from < 0 || *to > kMaxGid || *to < *from || *to - *from >= kMaxTiles) return {};
-    for (std::int64_t id = *from; id <= *to; ++id) ids.push_back(static_cast<std::uint32_t>(id));
-  }
-  return ids;
-}
-
-/// A decimal, or a fraction of two.
-std::optional<double> numberIn(std::string_view text) {
-  const std::size_t slash = text.find('/');
-  const auto over = parseReal(text.substr(0, slash));
-  const auto under = slash == std::string_view::npos ? std::optional(1.0) : parseReal(text.substr(slash + 1));
-  constexpr double kMost = 1e6;
-  if (!over || !under || *under <= 0 || std::abs(*over) > kMost || *under > kMost) return std::nullopt;
-  return *over / *under;
-}
-
-tl::expected<TileShape, std::string> shapeIn(std::string_view text) {
-  constexpr std::string_view kOneWay = "oneway ";
-  TileShape shape;
-  if (text == "none") return shape;
-  if (text == "full") text = "0 0 1 0 1 1 0 1";
-  shape.oneWay = text.starts_with(kOneWay);
-  std::vector<double> numbers;
-  for (const std::string_view part : split(text.substr(shape.oneWay ? kOneWay.size() : 0), " \t,")) {
-    if (part.empty()) continue;
-    const auto number = numberIn(part);
-    if (!number)
-      return tl::unexpected<std::string>(
-          "should say full, none, oneway with x y of two points or more, or x y of three or more");
-    numbers.push_back(*number);
-  }
-  const std::size_t least = shape.oneWay ? 2 : 3;
-  if (numbers.size() % 2 != 0 || numbers.size() / 2 < least || numbers.size() / 2 > kMaxObjectVertices)
-    return tl::unexpected(concat("should have x y of ", least, " points or more"));
-  for (std::size_t k = 0; k < numbers.size(); k += 2) shape.outline.push_back({numbers[k], numbers[k + 1]});
-  return shape;
-}
-
-}  // namespace
 
 tl::expected<TileTable, std::string> parseTileTable(std::string_view text) {
   TileTable table;

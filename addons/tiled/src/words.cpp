@@ -61,10 +61,11 @@ constexpr auto kSeen = std::to_array<std::string_view>({"back", "bg", "far", "fg
 constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "background", "behind", "below", "foreground"});
 
 /// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
-constexpr auto kPassableBegins = std::to_array<std::string_view>(
-    {"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "sensor", "spike", "trigger"});
+constexpr auto kPassableBegins =
+    std::to_array<std::string_view>({"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "rope",
+                                     "sensor", "spike", "trigger", "vine"});
 constexpr auto kFluidBegins =
-    std::to_array<std::string_view>({"acid", "empty", "hole", "lava", "pit", "rope", "vine", "void", "water"});
+    std::to_array<std::string_view>({"acid", "empty", "hole", "lava", "pit", "void", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties = std::to_array<std::string_view>(
@@ -155,12 +156,6 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
   return best;
 }
 
-template <class Fits>
-bool anyWord(std::string_view name, const Fits& fits) {
-  const std::vector<std::string> words = wordsIn(name);
-  return std::any_of(words.begin(), words.end(), fits);
-}
-
 }  // namespace
 
 Saying saying(std::string_view name) {
@@ -171,36 +166,24 @@ Saying sayingOfProperty(std::string_view name) {
   return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || has(kOfProperties, word); });
 }
 
-bool isPassable(std::string_view name) {
-  return anyWord(name, [](const std::string& word) { return begins(kPassableBegins, word); });
-}
-
-bool isGoneThrough(std::string_view name) {
-  return isPassable(name) ||
-         anyWord(name, [](const std::string& word) { return word == "background" || word == "bg"; }) ||
-         anyWord(name, [](const std::string& word) { return begins(kFluidBegins, word); });
-}
-
-bool isPassage(std::string_view name) {
-  return anyWord(name, [](const std::string& word) { return begins(kPassed, word); }) &&
-         saying(name).says == Says::nothing;
-}
-
-bool isMainName(std::string_view name) {
+Uses usesOf(std::string_view name) {
   constexpr auto kMain = std::to_array<std::string_view>({"level", "main", "map", "tile", "tiles"});
+  constexpr auto kForeground = std::to_array<std::string_view>({"foreground", "fg"});
+  constexpr auto kBackground = std::to_array<std::string_view>({"background", "bg"});
+  Uses uses;
   const std::vector<std::string> words = wordsIn(name);
-  return words.size() == 1 && has(kMain, words.front());
+  for (const std::string& word : words) {
+    uses.isOther |= isOther(word);
+    uses.isPassable |= begins(kPassableBegins, word);
+    uses.isGoneThrough |= uses.isPassable || begins(kFluidBegins, word) || has(kBackground, word);
+    uses.isPassage |= begins(kPassed, word);
+    uses.isMain |= words.size() == 1 && has(kMain, word);
+    uses.isForeground |= has(kForeground, word);
+    uses.isOnlySeen |= has(kSeen, word) || begins(kSeenBegins, word);
+  }
+  uses.isPassage = uses.isPassage && saying(name).says == Says::nothing;
+  return uses;
 }
-
-bool isForeground(std::string_view name) {
-  return anyWord(name, [](const std::string& word) { return word == "foreground" || word == "fg"; });
-}
-
-bool isOnlySeen(std::string_view name) {
-  return anyWord(name, [](const std::string& word) { return has(kSeen, word) || begins(kSeenBegins, word); });
-}
-
-bool isForOtherUse(std::string_view name) { return anyWord(name, isOther); }
 
 Properties propertiesOf(pugi::xml_node node) {
   Properties result;

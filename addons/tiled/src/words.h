@@ -45,26 +45,17 @@ Saying saying(std::string_view name);
 /// "groundSpeed".
 Saying sayingOfProperty(std::string_view name);
 
-/// Whether a name says that something is deadly, or lets bodies through: spikes, triggers, ladders and the like.
-bool isPassable(std::string_view name);
-
-/// The same for the name of a value of cells, which can also be water, a background and the like.
-bool isGoneThrough(std::string_view name);
-
-/// Whether a name is about where bodies pass: "walkable". Then a value that says no is a wall.
-bool isPassage(std::string_view name);
-
-/// Whether a layer is called "tiles", "main" or the like.
-bool isMainName(std::string_view name);
-
-/// Whether a layer is called "foreground": beside nothing but a background it is the level.
-bool isForeground(std::string_view name);
-
-/// Whether the name of a layer says that it lies behind or above the others.
-bool isOnlySeen(std::string_view name);
-
-/// Whether a name has a word for another use.
-bool isForOtherUse(std::string_view name);
+/// What a name says that something is for.
+struct Uses {
+  bool isOther = false;        ///< it has a word for another use than ground
+  bool isPassable = false;     ///< deadly, or lets bodies through: spikes, triggers, ladders and the like
+  bool isGoneThrough = false;  ///< the same of a value of cells, which can also be water, a background and the like
+  bool isPassage = false;      ///< about where bodies pass: "walkable". Then a value that says no is a wall
+  bool isMain = false;         ///< a layer called "tiles", "main" or the like
+  bool isForeground = false;   ///< beside nothing but a background it is the level
+  bool isOnlySeen = false;     ///< of a layer: it lies behind or above the others
+};
+Uses usesOf(std::string_view name);
 
 using Properties = std::map<std::string, std::string>;
 

@@ -116,16 +116,19 @@ TEST(TiledEvidence, ThingsWithPicturesAreNoCollisionLayer) {
 TEST(TiledEvidence, WhatGivesNothingIsNotOffered) {
   const std::string spawns = meant::objects("Spawns", meant::figure(1, 1) + meant::figure(3, 1));
   EXPECT_THAT(offersOf(import(spawns + meant::tiles("A", kHills) + meant::tiles("B", kRim))),
-              ElementsAre("--layer B --solid", "--layer A --solid"));
+              ElementsAre("--layer B --layer A --solid", "--layer B --solid", "--layer A --solid"));
   EXPECT_TRUE(offersOf(import(spawns)).empty());
 }
 
 TEST(TiledEvidence, EachLayerIsOfferedWithItsShareOfTheMap) {
   const auto map = import(meant::tiles("A", kFull) + meant::tiles("B", kHills) + meant::tiles("C", kRim));
   EXPECT_TRUE(map.placements.empty());
-  EXPECT_THAT(offersOf(map), ElementsAre("--layer C --solid", "--layer B --solid", "--layer A --solid"));
-  EXPECT_EQ(map.report.suggestions.at(0).text, "tile layer C, 63 % of the map: nothing says what it is");
-  EXPECT_EQ(map.report.suggestions.at(0).polygons, 20U);
+  EXPECT_THAT(offersOf(map), ElementsAre("--layer C --layer B --solid", "--layer C --solid", "--layer B --solid",
+                                         "--layer A --solid"));
+  EXPECT_EQ(map.report.suggestions.at(0).text, "tile layers C, B: nothing says what they are");
+  EXPECT_EQ(map.report.suggestions.at(0).polygons, 26U);
+  EXPECT_EQ(map.report.suggestions.at(1).text, "tile layer C, 63 % of the map: nothing says what it is");
+  EXPECT_EQ(map.report.suggestions.at(1).polygons, 20U);
 }
 
 TEST(TiledEvidence, CollidablesAreNotLumpedWithEvents) {

@@ -38,6 +38,10 @@ std::vector<MeantMap> meantMaps() {
       {"shapes in most tiles of the ground", mapOf(shape, tiles("Ground", "......../......d./aaaaaaaa/aaaaaaaa")), U},
       {"spikes have shapes, platforms have none", mapOf(tile('d', kShape), tiles("Spikes", K) + tiles("Platforms", P)),
        P},
+      {"spikes have the property of the ground",
+       mapOf(has('a', "collides") + has('d', "collides"),
+             tiles("World", G) + tiles("Spikes", "......../......../....dd../........")),
+       G},
       {"few of the platforms have shapes", mapOf(shape, tiles("Platforms", "......../.abb..../....bbb./........")), P},
 
       {"shapes in tiles, and the same tiles behind",
@@ -52,6 +56,12 @@ std::vector<MeantMap> meantMaps() {
        mapOf(shape, tiles("ground", "aaaaaaaa/aaaaaaaa/aaaaaaaa/aaaaaaaa") + objects("border", ground) +
                         tiles("obstacles", "...a..../......../......../........")),
        "...a..../......../aaaaaaaa/aaaaaaaa"},
+
+      // Of what nothing speaks for all together is offered first, and after that for which something does.
+      {"two layers that nothing tells apart", mapOf(none, tiles("Red", P) + tiles("Blue", U)), GP},
+      {"a property of some tiles of the walls, and a layer that says nothing",
+       mapOf(has('a', "tile", "block"), tiles("static", "......../.abb..../aaaaaaaa/bbbbbbbb") + tiles("Things", D)),
+       "......../.a....../aaaaaaaa/........"},
 
       // All that says collision counts together.
       {"a layer that is solid by a property, with few shapes", mapOf(shape, tiles("Main", GP, "solid")), GP},

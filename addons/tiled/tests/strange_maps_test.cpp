@@ -181,6 +181,9 @@ TEST_F(TiledDisk, FilesMayLieInTheProjectOfTheMap) {
   const auto project = [&](const std::string& map) {
     return fs::relative(projectFolder(path(map)), fs::path(path(map)).parent_path()).generic_string();
   };
+  const char* const home = std::getenv("HOME");
+  const std::string before = home ? home : "";
+  ::setenv("HOME", folder_.c_str(), 1);  // what others leave in the folder for temporary files marks nothing
   fs::create_directories(folder_ / "a/b/c/d");
   EXPECT_EQ(project("a/b/c/d/m.tmx"), "../..") << "of no project";
   put("a/package.json", "{}");
@@ -188,8 +191,6 @@ TEST_F(TiledDisk, FilesMayLieInTheProjectOfTheMap) {
   put("a/b/game.tiled-project", "{}");
   EXPECT_EQ(project("a/b/c/d/m.tmx"), "../..") << "the nearest";
   EXPECT_EQ(project("a/b/m.tmx"), ".");
-  const char* const home = std::getenv("HOME");
-  const std::string before = home ? home : "";
   ::setenv("HOME", path("a/b/c").c_str(), 1);
   fs::remove(folder_ / "a/b/game.tiled-project");
   EXPECT_EQ(project("a/b/c/d/m.tmx"), "..") << "not above the home folder";

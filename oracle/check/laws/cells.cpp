@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -34,14 +35,19 @@ class CellsLaw : public Law {
     if (kind == follow) isOn_ = judged.call.nth % 2 != 0;
     if (kind == follow) told_ = cellsOf(seen.world());
     if (kind == load) isOn_ = false;
+    if (isOfMemory(kind) || kind == leave) isOrdered_ = false;  // cells that come and go are named, too
+    if (isOn_) note(cellsOf(seen.world()));
     return std::nullopt;
   }
 
-  Found afterTravel(Seen& seen) override { return isOn_ ? listen(seen) : std::nullopt; }
+  Found afterTravel(Seen& seen) override {
+    isOrdered_ = false;  // edits may be pending from before the mark
+    return isOn_ ? listen(seen, false) : std::nullopt;
+  }
 
   Found afterCommit(Seen& seen) override {
     if (!isOn_) return std::nullopt;
-    if (auto found = listen(seen)) return found;
+    if (auto found = listen(seen, true)) return found;
     if (isTold(seen.world())) return std::nullopt;
     return seen.mismatch(Mismatch::Kind::changes, "cellChanges() does not tell of a cell that changed");
   }
@@ -63,14 +69,32 @@ class CellsLaw : public Law {
            std::ranges::all_of(told_, [&](const auto& entry) { return met[entry.first] == entry.second.size(); });
   }
 
-  Found listen(Seen& seen) {
+  // Which edit was the first since the last commit to change each cell.
+  void note(std::map<Cell, Content> now) {
+    ++calls_;
+    for (const auto& [cell, content] : now)
+      if (now_[cell] != content) first_.try_emplace(cell, calls_);
+    for (const auto& [cell, content] : now_)
+      if (!now.contains(cell)) first_.try_emplace(cell, calls_);
+    now_ = std::move(now);
+  }
+
+  Found listen(Seen& seen, bool isCommit) {
     std::set<Cell> named;
+    const std::map<Cell, std::uint64_t> first = std::exchange(first_, {});
+    const bool isOrdered = std::exchange(isOrdered_, isCommit);
+    std::uint64_t last = 0;
+    now_ = cellsOf(seen.world());
     for (const CellChange& change : seen.world().cellChanges()) {
       const auto wrong = [&](const char* what) {
         return seen.mismatch(Mismatch::Kind::changes,
                              fmt::format("cellChanges() {} cell ({}, {})", what, change.cell.i, change.cell.j));
       };
       if (!named.insert(change.cell).second) return wrong("names twice");
+      if (const auto call = first.find(change.cell); isOrdered && call != first.end()) {
+        if (call->second < last) return wrong("names in another order than that of the calls");
+        last = call->second;
+      }
       if (told_[change.cell] != contentOf(change.before)) return wrong("tells of another past of");
       told_[change.cell] = contentOf(change.now);
       if (change.now.empty()) told_.erase(change.cell);
@@ -80,6 +104,10 @@ class CellsLaw : public Law {
 
   bool isOn_ = false;
   std::map<Cell, Content> told_;
+  std::map<Cell, Content> now_;  // edits that are pending, too
+  std::map<Cell, std::uint64_t> first_;
+  std::uint64_t calls_ = 0;
+  bool isOrdered_ = true;  // whether the order is that of first_ alone
 };
 
 }  // namespace

@@ -166,13 +166,6 @@ class Farm(unittest.TestCase):
             self.assertEqual("RED" in known.told(), is_red)
             self.assertEqual(known.dead_canaries() != [], is_red)
 
-    def test_the_manifest_has_what_the_status_needs(self):
-        text = (ROOT / "scripts/farm/kubernetes.yaml").read_text(encoding="utf-8")
-        for field in ("apiVersion: batch/v1", "kind: Job", "completionMode: Indexed", "backoffLimitPerIndex: ",
-                      "restartPolicy: Never", "action: FailIndex", "values: [42]", "$JOB_COMPLETION_INDEX"):
-            self.assertEqual(text.count(field), 1, field)
-        self.assertIn("name: " + re.search(r"containerName: (\w+)", text)[1] + "\n", text)
-
     def test_bad_usage_says_what_is_wrong(self):
         self.told({})
         for word, sentence in (("9", "there is no unit 9"), ("x", "is no index"), ("5-3", "ends before it begins"),

@@ -35,6 +35,7 @@ const arrows: Readonly<Record<string, Point>> = {
 }
 const finger = 22 // pixels: the radius in which a handle is hit
 const still = 4 // pixels: who moves the pointer by less has tapped
+const afterDrag = 4000 // milliseconds until what runs goes on
 const longestFrame = 0.05 // seconds
 
 export class Figure {
@@ -190,12 +191,14 @@ export class Figure {
 
   /**
    * Calls step() sixty times a second while the figure is on the screen. Who wants no motion starts it by a button. It
-   * returns what stops it, until the button is pressed.
+   * returns what stops it until the button is pressed, and what holds it as long as somebody drags, and a little longer.
    */
-  runs(step: () => void): () => void {
+  runs(step: () => void): { readonly stop: () => void; readonly hold: () => void } {
+    let heldUntil = 0
     let isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches
     const button = this.button('', () => {
       isPlaying = !isPlaying
+      heldUntil = 0
       name()
     })
     const name = () => {
@@ -205,7 +208,7 @@ export class Figure {
     let last = 0
     let owed = 0
     const frame = (now: number) => {
-      if (isPlaying && this.#isVisible) {
+      if (isPlaying && this.#isVisible && now > heldUntil) {
         owed += Math.min(longestFrame, (now - last) / 1000)
         if (owed >= 1 / 60) {
           for (; owed >= 1 / 60; owed -= 1 / 60) step()
@@ -216,10 +219,11 @@ export class Figure {
       requestAnimationFrame(frame)
     }
     requestAnimationFrame(frame)
-    return () => {
+    const stop = () => {
       isPlaying = false
       name()
     }
+    return { stop, hold: () => { heldUntil = performance.now() + afterDrag } }
   }
 
   #place(event: MouseEvent): [number, number] {

@@ -1,6 +1,6 @@
 // Which part of the world a canvas shows. All panes share one camera.
 const readable = 12 // pixels per cell
-const comfortable = 26
+const comfortable = 16
 
 export class Camera {
   /** The cell coordinates of the middle of the pane. */

@@ -1,5 +1,6 @@
 // The crystals of the digger's land, and its gold: where they are, and what was won. A crystal is won when it was cut free
-// and breaks, gold when it is dug out, too. An undo that brings them back takes them from the count.
+// and breaks, or when something heavy falls on it; gold when it is dug out, too. An undo that brings them back takes them
+// from the count.
 import type { CellRect, GroundBody } from 'localgridseg/islands'
 import type { Ground } from 'localgridseg/planck'
 
@@ -10,6 +11,12 @@ export const gold = 5
 const nugget = 0.5 // square cells of gold that are dug for each that is counted
 const least = 0.15 // square cells: less is only a crumb
 const share = 0.3 // of a rock's area: a boulder with a gem in it stays one
+const across = 3 // cells: two pieces that are nearer are of one crystal
+const reach = 2.4 // cells that a crystal is away from what falls on it
+const heavy = 4, hard = 3 // square cells, and cells a second: what hits so breaks the crystals there
+/** Cells that a cavern is wide, as in digger.js. */
+export const cavern = 64
+export const cavernAt = (x: number): number => Math.floor(x / cavern)
 
 interface Known {
   readonly stroke: number // after which it was a rock
@@ -19,7 +26,7 @@ interface Known {
   vx: number
   vy: number
 }
-/** A rock hit something, or its crystal broke. Positions are in cells, speeds in cells a second. */
+/** A rock hit something, or a crystal broke. Positions are in cells, speeds in cells a second. */
 export interface Hit {
   readonly at: readonly [number, number]
   readonly area: number
@@ -39,7 +46,7 @@ export class Crystals {
   /** Of each square: the edges that face up, and the middles of the pieces of crystals. */
   readonly #squares = new Map<string, { readonly rim: Path2D; readonly middles: readonly [number, number][] }>()
   readonly #known = new WeakMap<GroundBody, Known>()
-  #won: { readonly block: number; readonly stroke: number }[] = [] // after which stroke it came loose
+  #won: { readonly block: number; readonly stroke: number; readonly cavern: number }[] = [] // after which stroke it came loose
   #dug: { readonly area: number; readonly stroke: number }[] = [] // of gold
   #middles: [number, number][] = []
 
@@ -58,10 +65,13 @@ export class Crystals {
     }
   }
 
-  /** How many of a block are won. */
-  count(block: number): number {
-    const dug = block === gold ? this.#dug.reduce((sum, { area }) => sum + area, 0) : 0
-    return this.#won.filter((each) => each.block === block).length + Math.floor(dug / nugget)
+  /** How many crystals of a cavern are won. */
+  count(cavern: number): number {
+    return this.#won.filter((each) => each.block === large && each.cavern === cavern).length
+  }
+  get gold(): number {
+    const dug = this.#dug.reduce((sum, { area }) => sum + area, 0)
+    return this.#won.filter(({ block }) => block === gold).length + Math.floor(dug / nugget)
   }
 
   /** All edges of the ground that face up. */
@@ -86,8 +96,8 @@ export class Crystals {
     if (area > 1e-9) this.#dug.push({ area, stroke: strokes })
   }
 
-  /** After each step of the ground. `strokes` there are now. */
-  step(time: number, strokes: number, gravity: number): Hit[] {
+  /** After each step of the ground. `strokes` there are now; while one goes back in time nothing is broken by others. */
+  step(time: number, strokes: number, gravity: number, goesBack: boolean): Hit[] {
     this.#won = this.#won.filter(({ stroke }) => stroke <= strokes)
     this.#dug = this.#dug.filter(({ stroke }) => stroke <= strokes)
     const hits: Hit[] = []
@@ -100,15 +110,34 @@ export class Crystals {
       known.still = Math.hypot(vx, vy) < 0.5 ? known.still + time : 0
       Object.assign(known, { vx, vy })
       const isBroken = known.crystal !== 0 && body !== null && ((speed > 4 && known.age > 0.1) || known.still > 0.3)
+      const { x: cx, y: cy, area } = ground.mass, at = placed(cx, cy, x, y, angle)
+      if (known.crystal === 0 && area > heavy && speed > hard && !goesBack) hits.push(...this.#smash(at, Math.sqrt(area / Math.PI) + reach, strokes + 1))
       if (!isBroken && speed < 4) continue
-      const { x: cx, y: cy, area } = ground.mass
-      hits.push({ at: placed(cx, cy, x, y, angle), area, block: known.crystal || ground.polygons[0].block, speed, isBroken })
+      hits.push({ at, area, block: known.crystal || ground.polygons[0].block, speed, isBroken })
       if (!isBroken) continue
-      this.#won.push({ block: known.crystal, stroke: known.stroke })
+      this.#won.push({ block: known.crystal, stroke: known.stroke, cavern: cavernAt(at[0]) })
       this.#ground.forget(body)
       body.getWorld().destroyBody(body)
     }
     return hits
+  }
+
+  /** The crystals that are near, and below. It is a stroke of its own. */
+  #smash([x, y]: readonly [number, number], far: number, stroke: number): Hit[] {
+    const broken = this.#middles.filter(([mx, my]) => my < y && Math.hypot(mx - x, my - y) < far)
+    if (broken.length === 0) return []
+    const isOf = (v: ArrayLike<number>, i: number, j: number) => {
+      const [px, py] = middleOf(v)
+      return broken.some(([mx, my]) => Math.hypot(px + i - mx, py + j - my) < across)
+    }
+    const cells = { i0: Math.floor(x - far - across), j0: Math.floor(y - far - across), i1: Math.ceil(x + far + across), j1: Math.ceil(y) }
+    this.#ground.edit((world) => {
+      const all = world.polygons(cells).filter(({ block, vertices, i, j }) => block === large && isOf(vertices, i, j))
+      world.removeMany(all.map(({ id }) => id))
+    })
+    this.#middles = this.#middles.filter((each) => !broken.includes(each))
+    for (const [mx] of broken) this.#won.push({ block: large, stroke, cavern: cavernAt(mx) })
+    return broken.map((at) => ({ at, area: 6, block: large, speed: 6, isBroken: true }))
   }
 
   #crystalOf({ polygons, mass }: GroundBody): number {
@@ -123,7 +152,7 @@ export class Crystals {
     const sums: [number, number, number][] = []
     for (const { middles } of this.#squares.values())
       for (const [x, y] of middles) {
-        const near = sums.find(([sx, sy, n]) => Math.hypot(sx / n - x, sy / n - y) < 3)
+        const near = sums.find(([sx, sy, n]) => Math.hypot(sx / n - x, sy / n - y) < across)
         if (near === undefined) sums.push([x, y, 1])
         else [near[0], near[1], near[2]] = [near[0] + x, near[1] + y, near[2] + 1]
       }

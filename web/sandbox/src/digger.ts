@@ -1,8 +1,10 @@
 // What one sees first: the digger of examples/digger.js, what there is to win in it (goal.ts), its source beside it, and two
 // wheels that race below. A hand digs until somebody else does.
+import type { GroundPicture } from 'localgridseg/draw'
 import type { Ground } from 'localgridseg/planck'
 import { digger } from '../../examples/digger.js'
 import { element, onClick } from './dom.js'
+import { cavernAt } from './crystals.js'
 import { Goal } from './goal.js'
 import { Race } from './race/race.js'
 import { drawLanes } from './race/view.js'
@@ -10,25 +12,35 @@ import { copied, holdsGround } from './share.js'
 import { stepTime } from './side.js'
 import { wantsCalm } from './theme.js'
 
+const high = 24 // cells, of the land
 const before = 900 // milliseconds until the hand digs
 const cut = 500 // that it takes for a stem
 const pause = 1700 // between two stems
 const shown = 2 // things that it cuts; then it asks who looks on to cut the next
 const wait = 1500 // between two races
+const stems = [[7, 16.4], [11.8, 6.4], [16.6, 13.5]] // where the hand cuts: x, y in cells
+const isHeld = 350 // milliseconds: then going back runs on
+const quick = 9 // how fast one goes back: such a part of the way in a second, at first
+const margin = 0.2 // of the width: what is taken back is nearer to the middle
 
 export class Digger {
   static readonly address = '#digger'
   ground: Ground | null = null
   goal: Goal | null = null
   size = 0 // pixels of a cell
+  picture: GroundPicture | null = null
   readonly #section = element('digger')
   readonly #canvas = element<HTMLCanvasElement>('dig')
   readonly #hand = element('dig-hand')
   readonly #strip = element('dig-race').querySelector('canvas')!
   #isShowing = !wantsCalm() // the hand digs
   #cursor: [number, number] | null = null // of the keyboard, in pixels
-  #strokes = 0 // that can be taken back
+  #at = 0 // where the last stroke was made, as x
+  readonly #places: number[] = [] // of all strokes that can be taken back
   readonly #begun: number[] = [] // how many there were when each dig began
+  #to: number | null = null // so many strokes stay: it goes back
+  #wentBack = -Infinity // when
+  #holding = 0 // a timer
 
   /** `onLeave`: for all tools. The digger is gone then. */
   async open(onLeave: () => Promise<void>): Promise<void> {
@@ -38,16 +50,18 @@ export class Digger {
       document.documentElement.classList.remove('first')
       await onLeave()
     }
-    // The land is 32 cells high, and a mouse hits small ones. For a finger they are larger, and the lower 21 are to be seen.
-    const { clientHeight } = this.#canvas, least = matchMedia('(pointer: coarse)').matches ? (innerWidth < 720 ? 22 : 26) : 0
-    this.size = Math.max(clientHeight / 32, Math.min(least, clientHeight / 21))
+    this.size = this.#canvas.clientHeight / high
     const { ground, picture } = await digger(this.#canvas, this.size)
     this.ground = ground
     onClick('dig-more', () => void leave())
     addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
     this.#count(ground)
-    this.goal = new Goal(this.#canvas, ground, picture, () => this.#strokes)
+    this.picture = picture
+    const digsIn = (cavern: number) => this.#begun.filter((k) => k < this.#places.length && cavernAt(this.#places[k]) === cavern).length
+    const strokes = () => this.#places.length, goesBack = () => this.#goesBack
+    this.goal = new Goal(this.#canvas, ground, picture, { get strokes() { return strokes() }, get goesBack() { return goesBack() }, digsIn })
     this.#listen()
+    requestAnimationFrame((now) => this.#goBack(now))
     requestAnimationFrame((now) => this.#dig(now, now))
     requestAnimationFrame(() => requestAnimationFrame((now) => this.#race(now))) // once the ground is seen
     const source = await (await fetch('digger.js')).text()
@@ -57,19 +71,25 @@ export class Digger {
 
   #listen(): void {
     for (const event of ['pointerdown', 'keydown']) addEventListener(event, ({ isTrusted }) => { if (isTrusted) this.#isShowing = false }, { capture: true })
-    for (const [id, key] of [['dig-back', 'z'], ['dig-left', 'a'], ['dig-right', 'd']]) {
-      const button = element(id), say = (type: string) => dispatchEvent(new KeyboardEvent(type, { key }))
-      button.addEventListener('pointerdown', () => say('keydown'))
-      for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur']) button.addEventListener(end, () => say('keyup'))
-      button.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') say('keydown') })
-    }
+    this.#onHold('dig-back', () => this.#press(), () => this.#release())
+    for (const [id, key] of [['dig-left', 'a'], ['dig-right', 'd']]) this.#onHold(id, () => say('keydown', key), () => say('keyup', key))
+    // A tap takes one dig back; digger.js, which goes on for as long as the key is down, hears of it later.
+    const isBack = ({ key, isTrusted }: KeyboardEvent) => isTrusted && key.toLowerCase() === 'z' && this.#section.isConnected
+    addEventListener('keydown', (event) => {
+      if (!isBack(event)) return
+      event.stopImmediatePropagation()
+      if (!event.repeat) this.#press()
+    }, { capture: true })
+    addEventListener('keyup', (event) => { if (isBack(event)) this.#release() }, { capture: true })
+    addEventListener('blur', () => this.#release())
+    for (const type of ['pointerdown', 'pointermove'] as const)
+      this.#canvas.addEventListener(type, (event) => { this.#at = this.picture!.at(event)[0] }, { capture: true })
     this.#canvas.addEventListener('pointerdown', ({ isTrusted }) => { if (isTrusted) this.#begin() }, { capture: true })
     this.#canvas.addEventListener('pointermove', ({ isTrusted }) => {
       if (!isTrusted || this.#cursor === null) return
       this.#cursor = null // whoever points needs no cursor
       this.#hand.hidden = true
     })
-    addEventListener('keydown', ({ key, repeat }) => { if (key === 'z' && !repeat && this.#section.isConnected) this.#rewind() })
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
     document.addEventListener('keydown', (event) => {
       if (!this.#section.isConnected || (event.target !== this.#canvas && event.target !== document.body)) return
@@ -86,33 +106,81 @@ export class Digger {
     })
   }
 
-  // A dig has a stroke for each move of the pointer. One tap takes all of them back.
+  #onHold(id: string, begin: () => void, end: () => void): void {
+    const button = element(id), isUse = ({ key }: KeyboardEvent) => key === 'Enter' || key === ' '
+    button.addEventListener('pointerdown', begin)
+    for (const type of ['pointerup', 'pointerleave', 'pointercancel', 'blur']) button.addEventListener(type, end)
+    button.addEventListener('keydown', (event) => { if (isUse(event) && !event.repeat) begin() })
+    button.addEventListener('keyup', (event) => { if (isUse(event)) end() })
+  }
+
+  // A dig has a stroke for each move of the pointer. One goes back where it is seen: until then the picture moves.
   #count(ground: Ground): void {
     const edit = ground.edit.bind(ground), undo = ground.undo.bind(ground)
     ground.edit = (edits) => {
       const result = edit(edits)
-      ++this.#strokes
+      this.#places.push(this.#at)
       return result
     }
     ground.undo = () => {
-      const isDone = undo()
-      if (isDone) --this.#strokes
-      return isDone
+      if (!ground.canUndo) return false
+      const isSeen = this.#isSeen(this.#places.at(-1)!)
+      this.#wentBack = performance.now()
+      if (!isSeen) return false
+      this.#places.pop()
+      return undo()
     }
+  }
+
+  get #goesBack(): boolean {
+    return this.#to !== null || performance.now() - this.#wentBack < 150
+  }
+
+  /** A part of the way, if it is not. */
+  #isSeen(at: number): boolean {
+    const picture = this.picture!, wide = this.#canvas.clientWidth / picture.size
+    const part = 1 - Math.exp((-quick * Math.min(50, performance.now() - this.#wentBack)) / 1000)
+    const off = Math.max(0, picture.x + margin * wide - at) - Math.max(0, at - picture.x - (1 - margin) * wide)
+    if (Math.abs(off) < 0.5) return true
+    picture.x -= wantsCalm() ? off : Math.sign(off) * Math.min(Math.abs(off), part * (2 + Math.abs(off)))
+    return false
   }
 
   #begin(): void {
-    this.#begun.push(this.#strokes)
+    this.#to = null
+    this.#begun.push(this.#places.length)
   }
 
-  /** To before the last dig. Who holds the key goes on stroke by stroke: that is digger.js. */
+  #press(): void {
+    this.#release()
+    this.#rewind()
+    this.#holding = window.setTimeout(() => say('keydown', 'z'), isHeld)
+  }
+
+  #release(): void {
+    clearTimeout(this.#holding)
+    say('keyup', 'z')
+  }
+
+  /** To before the last dig. */
   #rewind(): void {
     while (this.#begun.length > 0) {
-      const to = this.#begun.pop()!
-      if (to >= this.#strokes) continue // it is taken back already
-      while (this.#strokes > to && this.ground!.undo());
+      const strokes = this.#begun.pop()!
+      if (strokes >= this.#places.length) continue // it is taken back already
+      this.#to = Math.min(strokes, this.#to ?? strokes)
       return
     }
+  }
+
+  #goBack(now = 0, last = now): void {
+    if (!this.#section.isConnected) return
+    if (this.#to !== null) {
+      let left = Math.ceil((this.#places.length - this.#to) * Math.min(1, (quick * (now - last)) / 1000))
+      for (; left > 0; --left) if (!this.ground!.undo()) break
+      if (this.#places.length <= this.#to || !this.ground!.canUndo) this.#to = null
+    }
+    this.#section.classList.toggle('rewinds', this.#goesBack)
+    requestAnimationFrame((next) => this.#goBack(next, now))
   }
 
   #show(x: number, y: number): void {
@@ -138,11 +206,11 @@ export class Digger {
       return
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
-    const x = (9.4 + 6.2 * k) * this.size, y = clientHeight - (k % 2 === 0 ? 17.5 : 5.4) * this.size
+    const [cx, cy] = stems[k], x = (cx - this.picture!.x) * this.size, y = clientHeight - cy * this.size
     const way = this.size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2
     const at: [number, number] = [x + way, k % 2 === 0 ? y : y + way] // a stem at a slant, so that its cap slides off the stump
     if (k === shown) { // whoever has a narrow screen must walk there
-      const isSeen = x < clientWidth - 3 * this.size
+      const isSeen = x > 0 && x < clientWidth - this.size
       if (isSeen) this.#show(x + 1.4 * this.size * Math.sin(now / 300), y)
       this.#hand.hidden = !isSeen
       this.#section.classList.add('asks')
@@ -179,4 +247,8 @@ export class Digger {
     }
     requestAnimationFrame(frame)
   }
+}
+
+function say(type: string, key: string): void {
+  dispatchEvent(new KeyboardEvent(type, { key }))
 }

@@ -1,11 +1,12 @@
-// What there is to win in the digger. Crystals that are cut free fall, break and fly to their places, and it gets lighter;
-// gold that is dug out is counted beside; undo takes both back. Whatever falls throws dust, and shakes the picture.
+// What there is to win in the digger. Crystals that are cut free, or that something falls on, break and fly to their places,
+// and their cavern gets lighter; gold that is dug out is counted beside; undo takes both back. Whatever falls throws dust,
+// and shakes the picture.
 import type { GroundPicture } from 'localgridseg/draw'
 import type { CellRect } from 'localgridseg/islands'
 import type { Ground } from 'localgridseg/planck'
 import { colours } from '../../examples/digger.js'
 import { Cave } from './cave.js'
-import { Crystals, gold, type Hit, large, shine } from './crystals.js'
+import { cavernAt, Crystals, gold, type Hit, large, shine } from './crystals.js'
 import { element } from './dom.js'
 import { Sound } from './sound.js'
 import { Sparks } from './sparks.js'
@@ -13,17 +14,27 @@ import { wantsCalm } from './theme.js'
 
 const gravity = 20 // cells per second squared, as in digger.js
 const shards = 7 // of a crystal that fly to its place
-const crumbColours: Readonly<Record<number, string>> = { 1: '#8d6244', 2: '#4a3a44', 3: shine[3], 4: '#d95d4a', 5: shine[5] }
+const crumbColours: Readonly<Record<number, string>> = { 1: '#8d6244', 2: '#d8cfe2', 3: shine[3], 4: '#d95d4a', 5: shine[5], 6: '#a79fac' }
 const dustColour = '#d9c3a5'
 const feast = 2.5 // seconds, when all places are full
-const day = 2 // as the cave counts light; once it is day it stays so, unless crystals are undone
+const day = 2 // as the cave counts light
+const tasks = ['Drag to dig crystals free.', 'Boulders break crystals.', 'Cut the ropes.'] // of the caverns in turn
+const walkOn = 'Day! Walk on to the next cavern.'
+
+/** What a visitor has done, for the goal. */
+export interface Deeds {
+  readonly strokes: number // that can be taken back
+  readonly goesBack: boolean
+  /** How often somebody began to dig in a cavern. */
+  digsIn(cavern: number): number
+}
 
 export class Goal {
   readonly crystals: Crystals
   readonly #canvas: HTMLCanvasElement
   readonly #ground: Ground
   readonly #picture: GroundPicture
-  readonly #strokes: () => number
+  readonly #deeds: Deeds
   readonly #cave: Cave
   readonly #sparks = new Sparks()
   readonly #sound = new Sound()
@@ -32,15 +43,17 @@ export class Goal {
   readonly #gold = element('dig-gold').previousElementSibling as HTMLElement
   #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
   #told = 0 // of gold
-  #arrived = 0 // crystals that are in their places
+  readonly #arrived = new Map<number, number>() // crystals of a cavern that are in their places
+  #here = 0 // the cavern that is counted: where one dug, or walked to
+  #x = 0 // where the picture was
   #feast = 0 // seconds that are left of it
   #shake = 0 // pixels
 
-  constructor(canvas: HTMLCanvasElement, ground: Ground, picture: GroundPicture, strokes: () => number) {
+  constructor(canvas: HTMLCanvasElement, ground: Ground, picture: GroundPicture, deeds: Deeds) {
     this.#canvas = canvas
     this.#ground = ground
     this.#picture = picture
-    this.#strokes = strokes
+    this.#deeds = deeds
     this.crystals = new Crystals(ground)
     this.#cave = new Cave(canvas, element<HTMLCanvasElement>('dig-sky'), picture, this.crystals, colours)
     for (const type of ['pointerdown', 'pointermove'] as const) {
@@ -55,11 +68,15 @@ export class Goal {
   #frame(now: number, last: number): void {
     if (!this.#canvas.isConnected) return
     const time = Math.min(0.05, (now - last) / 1000)
-    for (const hit of this.crystals.step(time, this.#strokes(), gravity)) this.#hit(hit)
+    const { strokes, goesBack } = this.#deeds
+    for (const hit of this.crystals.step(time, strokes, gravity, goesBack)) this.#hit(hit)
     this.#sparks.step(time)
     this.#settle(time)
-    const round = this.#places.length, { light } = this.#cave
-    this.#cave.light += (Math.min(day, (day * this.#arrived) / round) - light) * Math.min(1, 2 * time)
+    this.#lookAround()
+    for (const [cavern, arrived] of this.#arrived) {
+      const light = this.#cave.lightOf(cavern), to = Math.min(day, (day * arrived) / this.#places.length)
+      this.#cave.setLight(cavern, light + (to - light) * Math.min(1, 2 * time))
+    }
     this.#cave.draw(now)
     const c = this.#canvas.getContext('2d')!, { x, y, size } = this.#picture, scale = (size * this.#canvas.width) / this.#canvas.clientWidth
     c.save()
@@ -74,6 +91,7 @@ export class Goal {
     if (event.buttons === 0) return
     const [x, y] = this.#picture.at(event), [fx, fy] = event.type === 'pointermove' && this.#dug !== null ? this.#dug.at : [x, y]
     const cells = { i0: Math.floor(Math.min(x, fx) - 1), j0: Math.floor(Math.min(y, fy) - 1), i1: Math.floor(Math.max(x, fx) + 1), j1: Math.floor(Math.max(y, fy) + 1) }
+    this.#goTo(cavernAt(x))
     this.#dug = { at: [x, y], cells, gold: this.crystals.goldIn(cells) }
     for (let k = 0; k < 6; ++k) {
       const at = [x + 0.55 * Math.cos(k), y + 0.55 * Math.sin(k)] as const, spot = this.#ground.world.at(...at)
@@ -85,18 +103,18 @@ export class Goal {
 
   #afterDig(): void {
     if (this.#dug === null) return
-    const { at, cells, gold: before } = this.#dug, count = this.crystals.count(gold)
-    this.crystals.noteDug(before - this.crystals.goldIn(cells), this.#strokes())
+    const { at, cells, gold: before } = this.#dug, count = this.crystals.gold
+    this.crystals.noteDug(before - this.crystals.goldIn(cells), this.#deeds.strokes)
     this.#dug.gold = 0
-    for (let k = count; k < this.crystals.count(gold); ++k) this.#win(at, gold)
+    for (let k = count; k < this.crystals.gold; ++k) this.#win(at, gold)
   }
 
   #win(at: readonly [number, number], block: number): void {
     this.#sparks.crumbs(at, block === large ? 26 : 10, shine[block], block === large ? 11 : 8, 0.3)
-    const nth = this.crystals.count(large) - 1
+    const cavern = cavernAt(at[0]), nth = this.crystals.count(cavern) - 1
     const to = () => this.#inCells(block === large ? this.#places[nth % this.#places.length] : this.#gold)
     for (let k = 0; k < (block === large ? shards : 2); ++k)
-      this.#sparks.fly([at[0], at[1]], to, shine[block], 0.75 + 0.06 * k, () => { if (k === 0) this.#arrive(block) })
+      this.#sparks.fly([at[0], at[1]], to, shine[block], 0.75 + 0.06 * k, () => { if (k === 0) block === gold ? this.#arriveGold() : this.#arrive(cavern) })
   }
 
   #hit({ at, area, block, speed, isBroken }: Hit): void {
@@ -110,18 +128,26 @@ export class Goal {
     this.#win(at, block)
   }
 
-  #arrive(block: number): void {
-    this.#sound.chime(block === gold ? this.crystals.count(gold) : this.#arrived)
-    if (block === gold) this.#tell()
-    if (block !== large || this.#arrived >= this.crystals.count(large)) return // or it was undone on its way
-    const place = this.#places[this.#arrived % this.#places.length]
-    if (this.#arrived % this.#places.length === 0) this.#fill()
-    ++this.#arrived
-    place.className = 'full'
+  #arriveGold(): void {
+    this.#sound.chime(this.crystals.gold)
     this.#tell()
-    if (this.#arrived % this.#places.length !== 0) return
+  }
+
+  #arrive(cavern: number): void {
+    const arrived = this.#inPlace(cavern)
+    this.#sound.chime(arrived)
+    if (arrived >= this.crystals.count(cavern)) return // it was undone on its way
+    this.#arrived.set(cavern, arrived + 1)
+    if (cavern !== this.#here) return
+    this.#fill()
+    if (arrived + 1 !== this.#places.length) return
     this.#feast = feast
-    this.#lead.textContent = this.#arrived === this.#places.length ? 'Daybreak!' : `${this.#arrived} crystals!`
+    const digs = this.#deeds.digsIn(cavern)
+    this.#lead.textContent = `Daybreak! With ${digs} dig${digs === 1 ? '' : 's'}.`
+  }
+
+  #inPlace(cavern: number): number {
+    return this.#arrived.get(cavern) ?? 0
   }
 
   /** What time does to the shake, to a feast, and to what was undone. */
@@ -129,12 +155,12 @@ export class Goal {
     this.#shake *= Math.exp(-9 * time)
     const shift = () => (this.#shake < 0.3 ? 0 : this.#shake * (2 * Math.random() - 1))
     this.#canvas.style.translate = `${shift()}px ${shift()}px`
-    if (this.crystals.count(gold) < this.#told) this.#tell()
-    const count = this.crystals.count(large)
-    if (this.#arrived > count) {
-      this.#arrived = count
+    if (this.crystals.gold < this.#told) this.#tell()
+    for (const [cavern, arrived] of this.#arrived) {
+      const count = this.crystals.count(cavern)
+      if (arrived <= count) continue
+      this.#arrived.set(cavern, count)
       this.#fill()
-      this.#tell()
     }
     if (this.#feast <= 0) return
     const { cells } = this.#picture, before = Math.ceil(this.#feast * 8)
@@ -144,23 +170,50 @@ export class Goal {
       this.#sparks.crumbs(at, 24, Object.values(shine)[before % 2], 9, 0.26)
       this.#sound.chime(before)
     }
-    if (this.#feast > 0) return
-    this.#lead.textContent = 'Walk on: there are more.'
-    element('digger').classList.add('asks')
-    this.#fill()
+    if (this.#feast <= 0) this.#say()
   }
 
-  /** The places of the crystals since the last feast. */
+  #goTo(cavern: number): void {
+    if (cavern === this.#here) return
+    this.#here = cavern
+    this.#feast = 0
+    this.#fill()
+    this.#say()
+  }
+
+  /** Where one walked, and whether there is nothing to do but to walk. */
+  #lookAround(): void {
+    const { x, size } = this.#picture, wide = this.#canvas.clientWidth / size
+    if (x !== this.#x) this.#goTo(cavernAt(x + wide / 2))
+    this.#x = x
+    const here = this.#here
+    const all = this.crystals.glowing.map(([at]) => at), isSeen = all.some((at) => at > x && at < x + wide)
+    const toLeft = !isSeen && !this.#isDone && all.some((at) => at <= x && cavernAt(at) === here) && !all.some((at) => at >= x + wide && cavernAt(at) === here)
+    element('dig-left').classList.toggle('asks', toLeft)
+    element('dig-right').classList.toggle('asks', this.#feast <= 0 && (this.#isDone || (!isSeen && !toLeft)))
+  }
+
+  get #isDone(): boolean {
+    return this.#inPlace(this.#here) >= this.#places.length
+  }
+
+  #say(): void {
+    this.#lead.textContent = this.#isDone ? walkOn : tasks[((this.#here % tasks.length) + tasks.length) % tasks.length]
+  }
+
+  /** The places of the crystals of this cavern. */
   #fill(): void {
-    const full = this.#arrived % this.#places.length
+    const full = this.#inPlace(this.#here)
     for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
+    this.#tell()
   }
 
   #tell(): void {
-    this.#told = this.crystals.count(gold)
+    this.#told = this.crystals.gold
     this.#gold.className = this.#told > 0 ? 'full' : ''
     element('dig-gold').textContent = this.#told > 0 ? String(this.#told) : ''
-    element('dig-goal').ariaLabel = `${this.#arrived} crystal${this.#arrived === 1 ? '' : 's'} free, ${this.#told} gold`
+    const arrived = this.#inPlace(this.#here)
+    element('dig-goal').ariaLabel = `${arrived} crystal${arrived === 1 ? '' : 's'} free, ${this.#told} gold`
   }
 
   #inCells(place: HTMLElement): [number, number] {

@@ -62,22 +62,30 @@ test('the menu says which scene is open', () =>
 const first = (test, context) => browser.onPath(test, '?welcome', { context })
 const calm = { reducedMotion: 'reduce' } // no hand digs
 const rocks = (page) => page.evaluate(() => window.sandbox.digger.ground.rocks().length)
-const area = (page) => page.evaluate(() => {
-  const { ground } = window.sandbox.digger
+/** Of the ground of a cavern, and all rocks. */
+const area = (page, cavern = 0) => page.evaluate((cavern) => {
+  const { ground } = window.sandbox.digger, cells = { i0: 64 * cavern, j0: 0, i1: 64 * cavern + 63, j1: 31 }
   const of = (polygons) => polygons.reduce((sum, { vertices: v }) => v.reduce((s, _, k) => (k % 2 ? s : s + (v[k] * v[(k + 3) % v.length] - v[k + 1] * v[(k + 2) % v.length]) / 2), sum), 0)
-  return of(ground.world.polygons()) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
-})
+  return of(ground.world.polygons(cells)) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
+}, cavern)
+/** Where a point of the land is on the page. */
+const spot = (page, x, y) => page.evaluate(([x, y]) => {
+  const { picture, size } = window.sandbox.digger, { left, bottom } = document.getElementById('dig').getBoundingClientRect()
+  return [left + (x - picture.x) * size, bottom - y * size]
+}, [x, y])
 /** A drag across a stem. */
-async function cutAt(page, cx, cy) {
-  const { x, y, height } = await page.locator('#dig').boundingBox()
-  const size = await page.evaluate(() => window.sandbox.digger.size)
-  await page.mouse.move(x + (cx - 1.5) * size, y + height - cy * size)
+async function cutAt(page, cx, cy, half = 1.5) {
+  await page.mouse.move(...(await spot(page, cx - half, cy)))
   await page.mouse.down()
-  for (let k = 1; k <= 8; ++k) await page.mouse.move(x + (cx - 1.5 + (3 * k) / 8) * size, y + height - cy * size)
+  for (let k = 1; k <= 8; ++k) await page.mouse.move(...(await spot(page, cx - half + (2 * half * k) / 8, cy)))
   await page.mouse.up()
 }
 /** The first stem, of a mushroom. */
-const cutStem = (page) => cutAt(page, 3, 8.5)
+const cutStem = (page) => cutAt(page, 11.8, 7.5)
+const tapBack = (page) => page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
+const free = (page, cavern) => page.evaluate((cavern) => window.sandbox.digger.goal.crystals.count(cavern), cavern)
+const isFree = (page, cavern, count) => page.waitForFunction(([cavern, count]) => window.sandbox.digger.goal.crystals.count(cavern) === count, [cavern, count])
+const goTo = (page, x) => page.evaluate((x) => { window.sandbox.digger.picture.x = x }, x)
 
 test('who comes first sees a hand that digs; whoever digs takes over, and the code beside is that which runs', () =>
   first(async (page) => {
@@ -91,7 +99,7 @@ test('who comes first sees a hand that digs; whoever digs takes over, and the co
     assert.ok(lines.length - 2 <= 20, `${lines.length - 2} lines`)
     await cutStem(page)
     assert.ok(await page.locator('#dig-hand').isHidden())
-    assert.ok(await page.evaluate(() => document.getElementById('dig').clientHeight / window.sandbox.digger.size >= 32), 'the land is seen in its whole height')
+    assert.ok(await page.evaluate(() => document.getElementById('dig').clientHeight / window.sandbox.digger.size >= 24), 'the land is seen in its whole height')
     await page.locator('#dig-race').click()
     assert.ok(await page.locator('#race-dialog').isVisible())
   }, { viewport: { width: 1280, height: 800 } }))
@@ -106,14 +114,14 @@ test('a stem is cut, its cap falls and is ground again; a tap takes one dig back
     await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length === 0, null, { timeout: 60_000 })
     assert.ok(Math.abs((await area(page)) - cut) < 0.2)
     const { x, y } = await page.locator('#dig-back').boundingBox()
-    const other = await page.locator('#dig').boundingBox(), size = await page.evaluate(() => window.sandbox.digger.size)
-    await page.mouse.move(other.x + 12 * size, other.y + other.height - size * 25)
+    await page.mouse.move(...(await spot(page, 14, 21)))
     await page.mouse.down()
-    await page.mouse.move(other.x + 24 * size, other.y + other.height - size * 25, { steps: 60 }) // longer than a tap has frames
+    await page.mouse.move(...(await spot(page, 24, 21)), { steps: 60 }) // longer than a tap has frames
     await page.mouse.up()
     assert.ok((await area(page)) < cut - 3)
     await page.mouse.move(x + 9, y + 9)
-    await page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
+    await tapBack(page)
+    await page.waitForFunction(() => !document.getElementById('digger').matches('.rewinds'))
     assert.ok(Math.abs((await area(page)) - cut) < 0.2)
     await page.mouse.down()
     await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
@@ -125,21 +133,47 @@ test('a crystal that is cut free breaks and is counted, its shards fly to its pl
   first(async (page) => {
     const whole = await area(page), full = () => page.locator('#dig-places .full').count()
     await page.locator('#dig-sound').check() // nothing of it throws
-    await cutAt(page, 9.4, 17.5)
-    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count(3) === 1)
+    await cutAt(page, 7, 16)
+    await isFree(page, 0, 1)
     await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 1)
     assert.equal(await rocks(page), 0)
     assert.match(await page.locator('#dig-goal').getAttribute('aria-label'), /^1 crystal/)
-    await page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
-    await page.waitForFunction(() => window.sandbox.digger.goal.crystals.count(3) === 0)
+    await tapBack(page)
+    await isFree(page, 0, 0)
     await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 0)
     assert.equal(await full(), 0)
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6)
-    await cutAt(page, 7.2, 22.9) // through gold
+    await cutAt(page, 5, 20.8) // through gold
     await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '1')
     await page.keyboard.down('z')
     await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '')
     await page.keyboard.up('z')
+  }, calm))
+
+test('a boulder breaks the crystal below it, in a cavern that counts its own; a tap goes back there, and nothing digs bedrock', () =>
+  first(async (page) => {
+    await goTo(page, 62)
+    await page.waitForFunction(() => document.getElementById('dig-lead').textContent.includes('Boulders'))
+    const whole = await area(page, 1)
+    await cutAt(page, 72, 16, 2)
+    await isFree(page, 1, 1)
+    await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 1)
+    assert.equal(await free(page, 0), 0)
+    await goTo(page, 0)
+    await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 0)
+    await tapBack(page)
+    await isFree(page, 1, 0)
+    await page.waitForFunction(() => !document.getElementById('digger').matches('.rewinds'))
+    const seen = await page.evaluate(() => window.sandbox.digger.picture.x)
+    assert.ok(seen > 15 && seen < 72, `it acts where one sees it: ${seen}`)
+    await goTo(page, 62)
+    await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length === 0)
+    await page.waitForTimeout(300)
+    assert.ok(Math.abs((await area(page, 1)) - whole) < 1e-6)
+    const bedrock = () => page.evaluate(() => [0.5, 23.5].every((y) => window.sandbox.digger.ground.world.at(90.3, y).block === 2))
+    for (const y of [0.5, 23.5]) await cutAt(page, 90, y)
+    assert.ok((await area(page, 1)) < whole - 1)
+    assert.ok(await bedrock())
   }, calm))
 
 test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z undoes', () =>

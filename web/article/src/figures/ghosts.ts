@@ -48,7 +48,7 @@ export default function ghosts(element: HTMLElement): void {
     label: 'The ball',
     step: 0.05,
     move(x, y) {
-      stop()
+      hold()
       return [clamp(x, 0.6, tiles - 0.6), clamp(y, 1 + radius - 0.2, 2.1)]
     },
   })
@@ -58,9 +58,9 @@ export default function ghosts(element: HTMLElement): void {
     set(on)
     fig.redraw()
   })
-  // To and fro: once without ghosts, once with them. Whoever takes hold of it ends that.
+  // To and fro: once without ghosts, once with them. Whoever takes hold of it stops it for a while, and the box ends it.
   let way = 1
-  const stop = fig.runs(() => {
+  const { stop, hold } = fig.runs(() => {
     const x = handle.at[0] + (way * pace) / 60
     handle.at = [x, height]
     if (x > 0.7 && x < tiles - 0.7) return
@@ -79,7 +79,7 @@ export default function ghosts(element: HTMLElement): void {
       for (const ghost of [under.ghost1, under.ghost2])
         parts.push(disc('ghostpoint', ghost, 7 * fig.pixel), words('label', [clamp(ghost[0], 0.3, tiles - 0.3), 0.8], 13 * fig.pixel, 'ghost'))
     }
-    parts.push(disc('ball', at, radius))
+    parts.push(disc(`ball ${isOn ? 'smooth' : 'rough'}`, at, radius))
     let skewed = 0
     for (const { at: [x, y], normal } of found) {
       const angle = Math.atan2(normal[0], normal[1])

@@ -75,14 +75,14 @@ export default function seams(element: HTMLElement): void {
     label: 'The ball without ghosts: to and fro in time',
     step: 0.1,
     move(x) {
-      stop()
+      hold()
       const k = rough.points.findIndex(([px]) => px >= x)
       const n = k < 0 ? rough.points.length - 1 : Math.max(1, k), [a, b] = [rough.points[n - 1][0], rough.points[n][0]]
       time = clamp((n - 1 + (x - a) / (b - a)) * step, 0, end())
       return ofHandle()
     },
   })
-  const stop = fig.runs(() => {
+  const { hold } = fig.runs(() => {
     if (time >= end() && ++waits < pause) return
     if (waits >= pause) time = waits = 0
     const isNear = rough.kicks.some((kick) => kick.change[1] > large && Math.abs(time - kick.time) < around)

@@ -1,4 +1,5 @@
-// Draws a race: two lanes, below them the speeds over the same distance, and a lens that shows the first kick slowly.
+// Draws a race: two lanes, below them the speeds over the same distance, and a lens that shows both at the seam of the
+// first kick, slowly.
 import type { World } from 'localgridseg'
 import { theme, wantsCalm } from '../theme.js'
 import { finish, type Lane, type Moment, type Race, start } from './race.js'
@@ -35,14 +36,14 @@ export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number,
   race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: k * lane, width: right, height: lane }))
   drawSpeeds(c, race, { x: 0, y: 2 * lane, width: right, height: bottom - 2 * lane })
   const middle = isWide ? right + lens / 2 + 8 : width / 2
-  drawLens(c, race.lanes[1], middle, isWide ? lens / 2 + 44 : bottom + lens / 2 + 30, lens / 2, now)
+  drawLens(c, race.lanes, middle, isWide ? lens / 2 + 44 : bottom + lens / 2 + 30, lens / 2, now)
 }
 
 /** The lanes alone, from near: what is seen goes along with the wheel that is behind. */
 export function drawLanes(c: CanvasRenderingContext2D, race: Race, width: number, height: number): void {
   c.fillStyle = theme().sky
   c.fillRect(0, 0, width, height)
-  const cells = Math.max(farthest + 3.5, (width / height) * 3.6), behind = race.lanes[1].moments.at(-1)!.x
+  const cells = Math.max(farthest + 3.5, (width / height) * 4.5), behind = race.lanes[1].moments.at(-1)!.x
   const part = { from: Math.min(Math.max(whole.from, behind - 2), finish + 5 - cells), cells }
   race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: (k * height) / 2, width, height: height / 2 }, part))
 }
@@ -192,39 +193,51 @@ function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void
   }
 }
 
-function drawLens(c: CanvasRenderingContext2D, lane: Lane, x: number, y: number, radius: number, now: number): void {
-  const colours = theme()
-  const { replay, kickInReplay } = lane
+// Above the wheel with ghosts, below that without, at the same seam.
+function drawLens(c: CanvasRenderingContext2D, lanes: readonly Lane[], x: number, y: number, radius: number, now: number): void {
+  const colours = theme(), { replay, kickInReplay } = lanes[1]
   const length = Math.max(1, replay.length - 1)
   const t = wantsCalm() ? Math.min(kickInReplay, length) : ((now / 1000) * 60) / slower % length
-  const shown = replay.length < 2 ? lane.moments.at(-1)! : between(replay, t)
-  const focus = replay[kickInReplay] ?? shown
-  const unit = (2 * radius) / lensCells
-  const at = (cx: number, cy: number): [number, number] => [x + (cx - focus.x) * unit, y - (cy - focus.y) * unit]
+  const focus = replay[kickInReplay] ?? lanes[1].moments.at(-1)!, unit = (2 * radius) / lensCells
   c.save()
   c.beginPath()
   c.arc(x, y, radius, 0, 2 * Math.PI)
   c.clip()
-  c.fillStyle = colours.sky
-  c.fillRect(x - radius, y - radius, 2 * radius, 2 * radius)
-  c.fillStyle = colours.ground
-  for (let i = Math.floor(focus.x) - 3; i < focus.x + 3; ++i) {
-    const [left, top] = at(i, 1)
-    c.fillRect(left + 1, top, unit - 2, 2 * radius)
+  for (const [k, lane] of lanes.entries()) {
+    const bottom = y + k * radius, floor = bottom - 0.22 * radius
+    const at = (cx: number, cy: number): [number, number] => [x + (cx - focus.x) * unit, floor - (cy - 1) * unit]
+    const passes = k === 1 ? replay : passing(lane, focus.x, kickInReplay, replay.length)
+    c.save()
+    c.beginPath()
+    c.rect(x - radius, bottom - radius, 2 * radius, radius)
+    c.clip()
+    c.fillStyle = colours.sky
+    c.fillRect(x - radius, bottom - radius, 2 * radius, radius)
+    c.fillStyle = colours.ground
+    for (let i = Math.floor(focus.x) - 3; i < focus.x + 3; ++i) c.fillRect(at(i, 1)[0] + 1, floor, unit - 2, radius)
+    drawWheel(c, passes.length < 2 ? lane.moments.at(-1)! : between(passes, Math.min(t, passes.length - 1)), at, unit * start.size, colours.riders[k])
+    if (k === 1 && replay.length > 1 && t >= kickInReplay - 0.5) drawPush(c, replay, kickInReplay, at)
+    c.restore()
   }
-  drawWheel(c, shown, at, unit * start.size, colours.riders[1])
-  if (replay.length > 1 && t >= kickInReplay - 0.5) drawPush(c, replay, kickInReplay, at)
   c.restore()
   c.strokeStyle = colours.ink
   c.lineWidth = 3
   c.beginPath()
   c.arc(x, y, radius, 0, 2 * Math.PI)
+  c.moveTo(x - radius, y)
+  c.lineTo(x + radius, y)
   c.stroke()
   c.fillStyle = colours.ink
   c.textAlign = 'center'
   c.textBaseline = 'bottom'
   c.font = `13px ${font}`
-  c.fillText(replay.length > 0 ? `The first kick, ${slower} times slower` : 'Without ghosts', x, y - radius - 8)
+  c.fillText(replay.length > 0 ? `Over the same seam, ${slower} times slower` : 'Over the same seam', x, y - radius - 8)
+}
+
+/** As many moments of a wheel around that in which it comes to a place. */
+function passing({ moments }: Lane, x: number, before: number, count: number): readonly Moment[] {
+  const k = moments.findIndex((moment) => moment.x >= x)
+  return k < 0 ? [] : moments.slice(Math.max(0, k - before), k - before + count)
 }
 
 // What the kick did to the velocity, as an arrow.
@@ -234,7 +247,7 @@ function drawPush(c: CanvasRenderingContext2D, replay: readonly Moment[], k: num
   const length = Math.hypot(dx, dy)
   if (length === 0) return
   const from = at(b.x, b.y)
-  const to = at(b.x + (0.75 * dx) / length, b.y + (0.75 * dy) / length)
+  const to = at(b.x + (0.5 * dx) / length, b.y + (0.5 * dy) / length)
   const angle = Math.atan2(to[1] - from[1], to[0] - from[0])
   c.strokeStyle = theme().kick
   c.lineWidth = 4
