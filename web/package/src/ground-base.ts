@@ -5,13 +5,14 @@
 //  2. Matter is neither doubled nor lost. Undo over a take destroys the body, and the ground is back; undo over a settle
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo.
-//  4. What reaches the edge of memory is held. What is loose when it comes in falls. Undo and redo go on over chunks that
+//  4. What reaches the edge of memory is held, unless `atEdge` is 'open'. What is loose when it comes in falls. Undo and redo go on over chunks that
 //     left and came back. New land ends the redo.
 //  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 import { bad, options as known, within } from './check.js'
 import { LgsError } from './error.js'
-import { ChangedSquares, chunksAround, chunksIn, everywhere, isSame, keyOf, loadedGround, makeLand, savedGround, shelfInMemory, stream } from './ground-parts.js'
-import type { GroundDrawing, GroundOptions, Host, Motion, Rock, Shelf } from './ground-types.js'
+import { ChangedSquares, loadedGround, savedGround } from './ground-parts.js'
+import type { GroundDrawing, GroundOptions, Host, Motion, Rock } from './ground-types.js'
+import { GroundWindow } from './ground-window.js'
 import { inspect, shown } from './inspect.js'
 import { Islands } from './island-view.js'
 import type { GroundBody } from './island-types.js'
@@ -33,13 +34,11 @@ interface Fallen<Body> {
 }
 
 const atRest = ({ i, j }: GroundBody): Motion => ({ x: i, y: j, angle: 0, vx: 0, vy: 0, spin: 0 })
-const mostLand = 65_536
-const names = ['anchors', 'preserve', 'land', 'shelf', 'undoSteps', 'follow'] as const
+const names = ['anchors', 'atEdge', 'preserve', 'land', 'shelf', 'chunksAtOnce', 'undoSteps', 'follow'] as const
 
 export abstract class GroundBase<Body> {
   readonly #options: GroundOptions
   readonly #ofWorld: WorldOptions
-  readonly #shelf: Shelf
   readonly #undoSteps: number
   #world: World
   #islands: Islands
@@ -52,22 +51,19 @@ export abstract class GroundBase<Body> {
   #next = 0                  // which of them looks first whether it can settle
   #looksAtAll = false        // something may hang in the air that no update will name
   #isEditing = false
-  #window = everywhere
-  #made = new Map<string, { i: number; j: number }>() // chunks whose land was made
-  #newLand: { readonly chunk: CellRect; readonly at: number }[] = [] // of these, which an undo may take away, and after which mark
+  readonly #window: GroundWindow
   readonly #squares = new ChangedSquares()
 
   /** An empty ground. */
   protected constructor(options: GroundOptions) {
-    const { anchors, preserve, land, shelf = shelfInMemory(), undoSteps = 64, follow } = known('options', names, options)
-    for (const [name, f] of Object.entries({ land, follow, 'shelf.put': shelf?.put, 'shelf.get': shelf?.get }))
-      if (typeof f !== 'function' && (f !== undefined || name.startsWith('shelf'))) throw bad(name, 'a function', f)
-    this.#options = { ...(anchors && { anchors }), ...(land && { land }), ...(follow && { follow }) }
+    const { anchors, atEdge, preserve, undoSteps = 64, follow } = known('options', names, options)
+    if (follow !== undefined && typeof follow !== 'function') throw bad('follow', 'a function', follow)
+    this.#options = { ...(anchors && { anchors }), ...(atEdge && { atEdge }), ...(follow && { follow }) }
     this.#ofWorld = preserve ? { preserve } : {}
-    this.#shelf = shelf
+    this.#window = new GroundWindow(options, this.#ofWorld)
     this.#undoSteps = within('undoSteps', undoSteps, 0, 1e6)
     this.#world = createWorld(this.#ofWorld)
-    this.#islands = new Islands(this.#world, anchors)
+    this.#islands = new Islands(this.#world, anchors, atEdge)
     this.#marks = [this.#world.mark()]
   }
 
@@ -160,52 +156,29 @@ export abstract class GroundBase<Body> {
 
   /**
    * The chunks with a cell of a rectangle are in memory from now on, and no others; until it is called the first time, all
-   * are. With `land` there is land there, and one chunk further. False, if the shelf did not give a chunk, or other bytes:
-   * it stays away, and the next call tries again. Undo and redo go on over it, but new land ends the redo. It costs
-   * nothing if the chunks are the same.
+   * are. With `land` there is land there, and one chunk further. False while that is not so, and the next call goes on:
+   * there are more than `chunksAtOnce`, or the shelf did not give a chunk, or other bytes. Undo and redo go on over it, but
+   * new land ends the redo. It costs nothing if the chunks are the same and all are there.
    */
   window(cells: CellRect): boolean {
-    const host = this.#begin(), chunks = chunksAround(cells)
-    if (isSame(chunks, this.#window)) return true
-    const { land } = this.#options, chunkCount = ((chunks.i1 - chunks.i0) / 32 + 3) * ((chunks.j1 - chunks.j0) / 32 + 3)
-    if (land && chunkCount > mostLand) throw bad('the window', `at most ${mostLand} chunks, of which land is made,`, cells)
-    this.#window = chunks
-    const unseen = land ? [...chunksIn(chunksAround(cells, 1))].filter(({ i0, j0 }) => !this.#made.has(keyOf(i0, j0))) : []
-    for (const chunk of unseen) this.#makeLand(chunk)
-    const isAll = stream(this.#world, chunks, this.#shelf)
-    if (!isAll) this.#window = { i0: 0, j0: 0, i1: -1, j1: -1 }
-    host.window(chunks)
+    const host = this.#begin(), window = this.#window
+    if (!window.moveTo(cells)) return true
+    window.stream(this.#world, this.#now, this.#dropFuture)
+    host.window(window.cells, window.isWhole)
     this.#commit()
-    if (unseen.length > 0) this.#markLand()
-    return isAll
+    this.#keepLand()
+    return window.isWhole
   }
 
-  /** What was marked last has the new land, too, unless something fell or settled since: so an undo to it takes none away. */
-  #markLand(): void {
+  /** Where nothing else has happened since the last mark, it is made anew behind the land: so undo does not take that away. */
+  #keepLand(): void {
     const now = this.#now
-    if (this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
+    if (!this.#window.hasNew(now) || this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
     const mark = this.#marks.pop()!
     this.#marks.push(this.#world.mark())
     this.#world.forget(mark)
-    this.#newLand = this.#newLand.map(({ chunk, at }) => ({ chunk, at: at === now ? now - 1 : at })).filter(({ at }) => at >= this.#oldest)
-  }
-
-  #makeLand(chunk: CellRect): void {
-    this.#dropFuture()
-    makeLand(this.#world, chunk, this.#options.land!, this.#ofWorld)
-    this.#made.set(keyOf(chunk.i0, chunk.j0), { i: chunk.i0, j: chunk.j0 })
-    this.#newLand.push({ chunk, at: this.#now })
-  }
-
-  /** An undo took away land that was made since; at that time nothing was dug there. */
-  #remakeLand(): void {
-    const again = this.#newLand.filter(({ at }) => at >= this.#now)
-    if (again.length === 0) return
-    this.#newLand = this.#newLand.filter(({ at }) => at < this.#now)
-    for (const { chunk } of again) this.#makeLand(chunk)
-    stream(this.#world, this.#window, this.#shelf)
-    this.#commit()
-    this.#markLand()
+    this.#window.keepNew(now)
+    this.#window.forgetBefore(this.#oldest)
   }
 
   // --- Saving
@@ -215,7 +188,7 @@ export abstract class GroundBase<Body> {
   save(): Uint8Array {
     this.#begin()
     const rocks = this.#inAir().map(({ ground, motion, body }) => ({ ground, motion: body === null ? motion : this.#live.motionOf(body) }))
-    return savedGround(this.#world, this.#shelf, rocks, [...this.#made.values()])
+    return savedGround(this.#world, this.#window.shelf, rocks, this.#window.land)
   }
 
   /** What was saved takes the place of all that is there. What hangs in the air falls. Throws 'not-a-snapshot', and nothing
@@ -223,19 +196,18 @@ export abstract class GroundBase<Body> {
   load(saved: Uint8Array): void {
     const host = this.#begin()
     if (!(saved instanceof Uint8Array)) throw bad('saved', 'a Uint8Array', saved)
-    const { world, rocks, land } = loadedGround(saved, this.#window, this.#shelf, this.#ofWorld)
+    const { world, rocks, land } = loadedGround(saved, this.#window.cells, this.#window.shelf, this.#ofWorld)
     world.commit()
     for (const each of this.#inAir()) this.#destroy(each)
     const old = this.#world, oldIslands = this.#islands
     this.#world = world
-    this.#islands = new Islands(world, this.#options.anchors)
+    this.#islands = new Islands(world, this.#options.anchors, this.#options.atEdge)
     this.#marks = [world.mark()]
     this.#oldest = this.#now = 0
-    this.#newLand = []
-    this.#made = new Map(land.map((corner) => [keyOf(corner.i, corner.j), corner]))
+    this.#window.restart(land)
     this.#squares.noteAll(old)
     this.#squares.noteAll(world)
-    host.window(this.#window)
+    host.window(this.#window.cells, false)
     this.hold(world, this.#islands)
     oldIslands.free()
     old.free()
@@ -387,14 +359,18 @@ export abstract class GroundBase<Body> {
       each.isInAir = false
       if (each.took >= to) each.motion = atRest(each.ground)
     }
+    if (this.#options.atEdge === 'open') this.#looksAtAll = true  // its anchors may have left since
     this.#show(changes)
     for (const each of this.#fallen) if (!each.isInAir && isThere(each)) this.#make(each)
-    this.#remakeLand()
+    if (this.#window.remakeLand(this.#world, to, this.#dropFuture)) {
+      this.#commit()
+      this.#keepLand()
+    }
     return true
   }
 
   /** Before an edit is kept: what was undone can not come back, and what was made again stays. */
-  #dropFuture(): void {
+  readonly #dropFuture = (): void => {
     this.#marks.length = this.#now - this.#oldest + 1
     this.#fallen = this.#fallen.filter(({ isInAir, took }) => isInAir || took < this.#now)
     for (const each of this.#fallen) if (each.isInAir) each.settled = Infinity
@@ -410,6 +386,6 @@ export abstract class GroundBase<Body> {
     this.#world.forget(this.#marks.shift()!)
     ++this.#oldest
     this.#fallen = this.#fallen.filter(({ isInAir, settled }) => isInAir || settled >= this.#oldest)
-    this.#newLand = this.#newLand.filter(({ at }) => at >= this.#oldest)
+    this.#window.forgetBefore(this.#oldest)
   }
 }

@@ -7,7 +7,7 @@ import { islandCalls } from './island-calls.js'
 import type { GroundBody } from './island-types.js'
 import { linesIn } from './lines.js'
 import type { CellRect, World, WorldOptions } from './types.js'
-import { createWorld, placeOf, worldOf } from './world.js'
+import { placeOf, worldOf } from './world.js'
 
 const farthest = 2 ** 30
 export const everywhere: CellRect = { i0: -farthest, j0: -farthest, i1: farthest, j1: farthest }
@@ -36,54 +36,10 @@ export function shelfInMemory(): Shelf {
   return { put: (i, j, bytes) => void chunks.set(keyOf(i, j), bytes), get: (i, j) => chunks.get(keyOf(i, j)) }
 }
 
-/** Those out of the window leave, those in it come back. False where the shelf did not give one, or other bytes. */
-export function stream(world: World, { i0, j0, i1, j1 }: CellRect, shelf: Shelf): boolean {
-  for (const away of [
-    { ...everywhere, j1: j0 - 1 }, { ...everywhere, j0: j1 + 1 },
-    { ...everywhere, j0, j1, i1: i0 - 1 }, { ...everywhere, j0, j1, i0: i1 + 1 }])
-    if (away.i0 <= away.i1 && away.j0 <= away.j1) for (const { i, j, bytes } of world.unload(away)) shelf.put(i, j, bytes)
-  for (let cell = world.firstUnloaded({ i0, j0, i1, j1 }); cell; cell = world.firstUnloaded({ i0, j0, i1, j1 })) {
-    const bytes = shelf.get(Math.max(cell.i & ~31, -farthest), Math.max(cell.j & ~31, -farthest))
-    if (!bytes) return false
-    try {
-      world.reload(bytes)
-    } catch (error) {
-      if (error instanceof LgsError) return false
-      throw error
-    }
-  }
-  return true
-}
-
-/** The land of a chunk that was never loaded. */
-export function makeLand(world: World, chunk: CellRect, make: (land: World, chunk: CellRect) => void, options: WorldOptions): void {
-  const land = createWorld(options)
-  try {
-    make(land, chunk)
-    const [made] = land.unload(chunk)
-    if (made === undefined || isReloaded(world, chunk, made.bytes)) return
-  } finally {
-    land.free()
-  }
-  world.reloadEmpty(chunk)  // where an undo went over it there is a chunk, which holds nothing
-  make(world, chunk)
-}
-
-function isReloaded(world: World, chunk: CellRect, bytes: Uint8Array): boolean {
-  if (world.firstUnloaded(chunk)) return false
-  try {
-    world.reload(bytes)
-    return true
-  } catch (error) {
-    if (error instanceof LgsError) return false
-    throw error
-  }
-}
-
 // --- Bytes: those of lgs::Ground in C++
 
 type Value = { readonly ground: GroundBody; readonly motion: Motion }
-type Corner = { readonly i: number; readonly j: number }
+export type Corner = { readonly i: number; readonly j: number }
 
 export interface Loaded {
   readonly world: World

@@ -1,5 +1,5 @@
 // What a Ground is set up by, and what it hands out. Lengths and positions are in cells, y up.
-import type { Anchors, GroundBody } from './island-types.js'
+import type { Anchors, AtEdge, GroundBody } from './island-types.js'
 import type { Block, CellRect, Changes, World, WorldOptions } from './types.js'
 
 /**
@@ -15,6 +15,8 @@ export interface Shelf {
 export interface GroundOptions {
   /** What holds an island: without it nothing ever falls. */
   readonly anchors?: Anchors
+  /** 'holds', if it is not given; with 'open' what no anchor in memory holds falls at the edge of memory. */
+  readonly atEdge?: AtEdge
   readonly preserve?: WorldOptions['preserve']
   /**
    * Makes the land of a chunk that was never loaded, when a window comes near it: with edits inside its cells alone,
@@ -23,6 +25,12 @@ export interface GroundOptions {
   readonly land?: (land: World, chunk: CellRect) => void
   /** Where chunks outside of the window are: in memory, if none is given. */
   readonly shelf?: Shelf
+  /**
+   * How many chunks window() makes, brings in and takes out in one call, at least one: all, if it is not given. So a game
+   * spreads over several frames what takes most of one. It then calls window() in each frame, and before it begins until
+   * that is true.
+   */
+  readonly chunksAtOnce?: number
   /** How many strokes can be undone: 64, if it is not given. */
   readonly undoSteps?: number
   /** Is notified of each commit, roll-back and redo, for further views. After a load() they begin again. */
@@ -78,8 +86,8 @@ export interface Host<Body> {
   destroy(body: Body): void
   /** The game's from now on. */
   forget(body: Body): void
-  /** These cells are in memory, and no others. */
-  window(cells: CellRect): void
+  /** These cells are in memory, as far as they came in yet, and no others. */
+  window(cells: CellRect, isWhole: boolean): void
   step(dt: number): void
   free(): void
 }

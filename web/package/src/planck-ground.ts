@@ -41,16 +41,20 @@ class InPlanck implements Host<Body> {
   readonly #ofFalling: FallingOptions
   #falling: FallingGround
   #window = everywhere
+  #world: World
+  #isWhole = true // whether all of the window is in memory
   #away = new Set<Body>() // out of the window, and disabled
 
   constructor(physics: Physics, world: World, islands: Islands, terrain: TerrainOptions, falling: FallingOptions) {
     this.#physics = physics
+    this.#world = world
     this.#ofFalling = falling
     this.terrain = new PlanckTerrain(physics, world, terrain)
     this.#falling = new FallingGround(physics, this.terrain, islands, falling)
   }
 
   hold(world: World, islands: Islands): void {
+    this.#world = world
     this.terrain.resync(world)
     this.#falling = new FallingGround(this.#physics, this.terrain, islands, this.#ofFalling)
   }
@@ -78,8 +82,9 @@ class InPlanck implements Host<Body> {
   }
 
   /** Bodies come back before the ground that they were in is new: so law 13 holds for them. */
-  window(cells: CellRect): void {
+  window(cells: CellRect, isWhole: boolean): void {
     this.#window = cells
+    this.#isWhole = isWhole
     const all = this.#away.size > 0 ? this.#all() : this.#away
     for (const body of this.#away) {
       if (all.has(body) && this.#isAway(body)) continue
@@ -107,7 +112,7 @@ class InPlanck implements Host<Body> {
   }
   #isAway(body: Body): boolean {
     const { x, y } = this.terrain.point(body.getWorldCenter())
-    return !contains(this.#window, x, y)
+    return !contains(this.#window, x, y) || (!this.#isWhole && this.#world.at(x, y).where === 'unloaded')
   }
   #disableAway(): void {
     if (this.#window === everywhere) return

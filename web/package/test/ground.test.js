@@ -150,13 +150,15 @@ test('a stroke that is refused changes nothing, and leaves the redo', () => {
 
 test('words that are misspelt, and what is not of planck, are refused with a sentence', () => {
   const physics = new Physics()
-  assert.throws(() => new Ground({ anchor: {} }), /options has no 'anchor', but anchors, preserve, land/)
+  assert.throws(() => new Ground({ anchor: {} }), /options has no 'anchor', but anchors, atEdge, preserve, land/)
   assert.throws(() => new PlanckGround(physics, {}, { celSize: 3 }), /options has no 'celSize', but cellSize/)
   assert.throws(() => new PlanckGround({}, {}), /physics must be a World of planck/)
   assert.throws(() => new PlanckGround(physics, {}, {}, { densty: 1 }), /options has no 'densty'/)
   refuses('bad-argument', () => new Ground({ shelf: {} }))
   refuses('bad-argument', () => new Ground({ land: 3 }))
   refuses('bad-argument', () => new Ground({ undoSteps: -1 }))
+  refuses('bad-argument', () => new Ground({ atEdge: 'shut' }))
+  refuses('bad-argument', () => new Ground({ chunksAtOnce: 0 }))
 })
 
 test('in a step of the physics nothing changes', () => {
@@ -308,6 +310,58 @@ test('bodies wait where their ground is not in memory', () => {
   ground.free()
 })
 
+test('one chunk at once: a window comes in over several calls, and bodies wait for it', () => {
+  const shelf = new Map(), moved = { in: 0, out: 0 }
+  const { physics, ground } = withPlanck({
+    land, chunksAtOnce: 1,
+    shelf: { put: (i, j, bytes) => { ++moved.out; shelf.set(`${i},${j}`, bytes) }, get: (i, j) => { ++moved.in; return shelf.get(`${i},${j}`) } },
+  })
+  const at = (i) => ({ i0: i, j0: -30, i1: i + 60, j1: 20 }), bring = (cells) => {
+    let calls = 1
+    for (Object.assign(moved, { in: 0, out: 0 }); !ground.window(cells); ++calls) {
+      assert.ok(moved.in + moved.out <= 2 * calls, `${moved.in} came and ${moved.out} left in ${calls} calls`)
+      assert.ok(calls < 200)
+    }
+    return calls
+  }
+  assert.ok(bring(at(0)) > 6)
+  const ball = physics.createBody({ type: 'dynamic', position: { x: 1.5, y: 9 } })
+  ball.createFixture(new Circle(0.3), { density: 1 })
+  steps(ground, 200)
+  bring(at(200))
+  assert.ok(!ball.isActive())
+  ground.window(at(0))  // it does not come in at once
+  const { y } = ball.getPosition()
+  for (let k = 0; k < 60 && ground.world.at(1.5, 0.5).where === 'unloaded'; ++k) {
+    steps(ground, 10)
+    assert.deepEqual([ball.isActive(), ball.getPosition().y], [false, y])
+    ground.window(at(0))
+  }
+  bring(at(0))
+  assert.ok(ball.isActive())
+  steps(ground, 60)
+  assert.ok(Math.abs(ball.getPosition().y - y) < 0.1, 'it lies where it lay')
+  physics.destroyBody(ball)
+  ground.free()
+})
+
+test('at an edge of memory that is open falls what no anchor in memory holds', () => {
+  const column = (i0, i1) => ({ i0, j0: -5, i1, j1: 20 })
+  for (const [atEdge, count] of [['holds', 0], ['open', 1]]) {
+    const ground = pillar(new Ground({ anchors, atEdge }))
+    ground.edit((world) => {
+      world.fill({ i0: -60, j0: 10, i1: 40, j1: 10 }, world.shape(unitSquare), 3)
+      world.fill({ i0: 40, j0: 0, i1: 40, j1: 9 }, world.shape(unitSquare), bedrock)
+    })
+    assert.deepEqual(ground.rocks(), [])
+    ground.window(column(0, 30))  // what holds it leaves
+    assert.equal(ground.rocks().length, count)
+    assert.ok(ground.undo())
+    assert.deepEqual([ground.rocks().length, ground.world.at(5.5, 10.5).where], [0, 'outside'])
+    ground.free()
+  }
+})
+
 test('only the squares that look different are drawn', () => {
   const ground = pillar(new Ground({ anchors }))
   const picture = new Map(), paint = () => {
@@ -383,7 +437,7 @@ function assertFollows(ground) {
 
 function play(game, make, hasLand) {
   const ground = make()
-  if (hasLand) ground.window(here)
+  if (hasLand) while (!ground.window(here)) continue
   else pillar(ground)
   const matter = () => areaOf(ground.world.polygons(here)) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
   const look = () => (ground.world.firstUnloaded(here) === null ? { solid: solidOf(ground.world, here), matter: matter() } : null)
@@ -420,9 +474,9 @@ function play(game, make, hasLand) {
 
 /** Law 13 over land that streams: whose middle was free is free, or is disabled where it was; none moves where no ground is. */
 test('any game with planck, with balls over land that streams', () => {
-  fc.assert(fc.property(calls, fc.array(fc.tuple(fc.integer({ min: -60, max: 90 }), fc.integer({ min: 9, max: 16 }), fc.boolean()), { minLength: 1, maxLength: 6 }), (game, places) => {
-    const { physics, ground } = withPlanck({ land }), { terrain } = ground
-    ground.window(here)
+  fc.assert(fc.property(calls, fc.array(fc.tuple(fc.integer({ min: -60, max: 90 }), fc.integer({ min: 9, max: 16 }), fc.boolean()), { minLength: 1, maxLength: 6 }), fc.constantFrom(1, Infinity), (game, places, chunksAtOnce) => {
+    const { physics, ground } = withPlanck({ land, chunksAtOnce }), { terrain } = ground
+    while (!ground.window(here)) continue
     const balls = places.map(([x, y, isOff]) => {
       const body = physics.createBody({ type: 'dynamic', position: { x: x + 0.5, y: y + 0.5 }, active: !isOff })
       body.createFixture(new Circle(0.3), { density: 1 })
@@ -456,5 +510,7 @@ test('any game with planck, with balls over land that streams', () => {
 })
 
 for (const [name, make, runs, hasLand] of [['without physics', () => new Ground({ anchors }), 100], ['with planck', () => withPlanck().ground, 80],
-  ['over land that streams', () => new Ground({ anchors, land }), 60, true]])
+  ['over land that streams', () => new Ground({ anchors, land }), 60, true],
+  ['over land that comes in one by one', () => new Ground({ anchors, land, chunksAtOnce: 1 }), 40, true],
+  ['over land whose edge is open', () => new Ground({ anchors, land, atEdge: 'open' }), 40, true]])
   test(`any game ${name}`, () => { fc.assert(fc.property(calls, (game) => play(game, make, hasLand)), { numRuns: runs }) })

@@ -63,7 +63,7 @@ const ofType = {
   FallingOptions: [{}, { density: () => NaN }, { density: () => -1 }, { material: () => null }, { density: mine }],
   Fixture: (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
   'Fixture | Contact': (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
-  GroundOptions: [{}, { anchors: { blocks: [9] } }, { undoSteps: 0 }, { undoSteps: NaN }, { shelf: {} }, { shelf: 7 }, { land: mine }, { follow: 7 }, { anchors: { blocks: [0.5] } }, { preserve: mine }],
+  GroundOptions: [{}, { anchors: { blocks: [9] } }, { undoSteps: 0 }, { undoSteps: NaN }, { atEdge: 'open' }, { atEdge: 'shut' }, { chunksAtOnce: 1 }, { chunksAtOnce: 0 }, { shelf: {} }, { shelf: 7 }, { land: mine }, { follow: 7 }, { anchors: { blocks: [0.5] } }, { preserve: mine }],
   GroundBody: [ground, { ...ground, polygons: [] }, { ...ground, i: 2 ** 31 - 1 }, { ...ground, polygons: [{ i: 2 ** 31 - 1, j: 0, block: 1, vertices: square }] },
     { ...ground, polygons: [{ i: 0, j: 0, block: 1, vertices: [0, 0, 9, 0, 0, 9] }] }, { ...ground, polygons: [null] }, { ...ground, polygons: new Array(2) }],
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
