@@ -231,11 +231,10 @@ std::string withoutSlash(const fs::path& folder) {
 std::string folderOfBoth(const std::string& file, const std::string& other) {
   fs::path folder = fs::path(file).parent_path().lexically_normal();
   if (fs::path(other).has_root_directory() != folder.has_root_directory()) return folderOf(other);
-  while (!liesBelow(folder.generic_string(), other)) {
-    const fs::path up = (folder / "..").lexically_normal();
-    if (up == folder) break;
-    folder = up;
-  }
+  const fs::path in = fs::path(other) / "f";  // it may be the name of a folder, such as ".."
+  auto most = std::distance(folder.begin(), folder.end()) + std::distance(in.begin(), in.end());
+  for (; most > 0 && !liesBelow(folder.generic_string(), in.generic_string()); --most)
+    folder = (folder / "..").lexically_normal();
   return withoutSlash(folder);
 }
 

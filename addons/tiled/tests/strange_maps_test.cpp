@@ -37,6 +37,27 @@ TEST(TiledBelow, IsDecidedByThePathAsItIsWritten) {
   EXPECT_FALSE(liesBelow("/srv/maps", "srv/maps/a"));
 }
 
+/// All paths of up to four steps.
+std::vector<std::string> shortPaths() {
+  std::vector<std::string> paths{"", "..", ".", "a", "a.json"};
+  for (std::size_t k = 1; k < 85; ++k)
+    for (const char* step : {"..", ".", "a", "a.json"}) paths.push_back(paths[k] + "/" + step);
+  return paths;
+}
+
+TEST(TiledBelow, TheFolderOfTwoFilesIsTheNearestThatHoldsBoth) {
+  for (const std::string file : {"f", "a/f", "a/a/f", "../f", "../../a/f", "./f"}) {
+    for (const std::string& other : shortPaths()) {
+      if (other.empty()) continue;
+      const std::string in = other + "/f";
+      fs::path nearest = fs::path(file).parent_path();
+      for (int up = 0; up < 9 && !liesBelow(nearest.generic_string(), in); ++up) nearest = nearest / "..";
+      EXPECT_EQ(folderOfBoth(file, other), withoutSlash(nearest)) << file << " " << other;
+      EXPECT_TRUE(liesBelow(folderOfBoth(file, other), file) && liesBelow(folderOfBoth(file, other), in)) << other;
+    }
+  }
+}
+
 constexpr const char* kOutside = "it is not in the folder maps. If the map can be trusted: Options::filesIn = ";
 constexpr const char* kAbsolute =
     "its path is absolute. If the map can be trusted, files may lie anywhere: Options::filesAnywhere";
@@ -78,6 +99,24 @@ TEST(TiledStrangeMaps, NoReaderIsAskedForWhatLiesElsewhere) {
   EXPECT_EQ(said(mapXml(box), asked), "accepted") << "a template that can not be read spoils its object alone";
   EXPECT_NE(said(world, asked).find(kOutside), std::string::npos);
   EXPECT_EQ(asked, (std::vector<std::string>{"maps/a.tmx", "maps/a.tmx"}));
+}
+
+/// Whatever a file calls another one, the import ends, and asks for nothing that lies elsewhere.
+TEST(TiledStrangeMaps, AnyNameOfAFileComesToAnEnd) {
+  for (const std::string map : {"m.tmx", "maps/m.tmx", "../m.tmx", "../../maps/m.tmx", "/maps/m.tmx"}) {
+    for (const std::string& name : shortPaths()) {
+      const std::string box = "<object id='1' template='" + name + "' x='0' y='0'/>";
+      for (const std::string& text : {mapXml("<tileset firstgid='1' source='" + name + "'/>"),
+                                      mapXml("<objectgroup name='wall'>" + box + "</objectgroup>"),
+                                      R"({"type":"world", "maps":[{"fileName":")" + name + R"(", "x":0, "y":0}]})"}) {
+        const auto ended = importMap(map, {}, [&](const std::string& path) -> tl::expected<std::string, std::string> {
+          EXPECT_TRUE(path == map || liesBelow(folderOf(map), path)) << map << " names " << name << ": " << path;
+          return path == map ? text : "<tileset/>";
+        });
+        EXPECT_TRUE(ended || !message(ended.error()).empty());
+      }
+    }
+  }
 }
 
 /// A file that the map names need not be the map's. Its text is in no error.

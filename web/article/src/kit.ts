@@ -60,6 +60,9 @@ export class Figure {
     this.#controls.className = 'controls'
     this.svg.append(this.#handleLayer)
     element.querySelector('.stage')!.replaceChildren(this.svg, this.#controls, this.#says)
+    element.classList.add('untouched') // until somebody drags something: its grips ask for it
+    for (const event of ['pointerdown', 'keydown'])
+      this.#handleLayer.addEventListener(event, () => element.classList.remove('untouched'), { once: true })
     new ResizeObserver(() => this.redraw()).observe(this.svg)
     new IntersectionObserver(([entry]) => {
       this.#isVisible = entry.isIntersecting
@@ -95,7 +98,7 @@ export class Figure {
   handle(options: HandleOptions): Handle {
     const element = el('g', { class: 'handle', tabindex: 0, role: 'button', 'aria-label': options.label })
     element.setAttribute('aria-description', `Drag it, or move it by the arrow keys${options.tap ? '. Tap it or press Enter to use it' : ''}`)
-    element.append(el('circle', { class: 'hit', r: finger }), el('circle', { class: 'grip', r: 8 }))
+    element.append(el('circle', { class: 'asks', r: 8 }), el('circle', { class: 'hit', r: finger }), el('circle', { class: 'grip', r: 8 }))
     const handle: Handle = { at: options.at, element }
     const move = (x: number, y: number) => {
       handle.at = options.move(x, y)

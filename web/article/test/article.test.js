@@ -82,6 +82,17 @@ test('at a seam the ball is pushed askew without ghosts; it rolls by itself, unt
     assert.equal(await page.locator('#ghosts button').textContent(), 'Play')
   }, 'article/'))
 
+test('what was dragged stands for a while, and goes on', () =>
+  browser.onPath(async (page) => {
+    await saysSoon(page, 'seams', /^Without: 1 kick/)
+    await drag(page, 'seams', 12, 0)
+    const dragged = await says(page, 'seams')
+    await page.waitForTimeout(1000)
+    assert.equal(await says(page, 'seams'), dragged)
+    assert.equal(await page.locator('#seams button').textContent(), 'Pause')
+    await page.waitForFunction((dragged) => document.querySelector('#seams output').textContent !== dragged, dragged)
+  }, 'article/'))
+
 test('a finger drags the ball all the way, and the page does not scroll instead', () =>
   browser.onPath(async (page) => {
     await page.locator('#ghosts svg').scrollIntoViewIfNeeded()

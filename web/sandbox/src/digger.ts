@@ -58,8 +58,9 @@ export class Digger {
     this.#count(ground)
     this.picture = picture
     const digsIn = (cavern: number) => this.#begun.filter((k) => k < this.#places.length && cavernAt(this.#places[k]) === cavern).length
-    const strokes = () => this.#places.length, goesBack = () => this.#goesBack
-    this.goal = new Goal(this.#canvas, ground, picture, { get strokes() { return strokes() }, get goesBack() { return goesBack() }, digsIn })
+    const strokes = () => this.#places.length, digs = () => this.#begun.length, goesBack = () => this.#goesBack
+    const deeds = { get strokes() { return strokes() }, get digs() { return digs() }, get goesBack() { return goesBack() }, digsIn }
+    this.goal = new Goal(this.#canvas, ground, picture, deeds)
     this.#listen()
     requestAnimationFrame((now) => this.#goBack(now))
     requestAnimationFrame((now) => this.#dig(now, now))
@@ -207,8 +208,11 @@ export class Digger {
     }
     const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
     const [cx, cy] = stems[k], x = (cx - this.picture!.x) * this.size, y = clientHeight - cy * this.size
-    const way = this.size * 1.4 * (Math.max(0, Math.min(1, time)) - 0.5) * 2
-    const at: [number, number] = [x + way, k % 2 === 0 ? y : y + way] // a stem at a slant, so that its cap slides off the stump
+    const after = (part: number): [number, number] => { // a stem at a slant, so that its cap slides off the stump
+      const way = this.size * 1.4 * (2 * part - 1)
+      return [x + way, k % 2 === 0 ? y : y + way]
+    }
+    const at = after(Math.max(0, Math.min(1, time)))
     if (k === shown) { // whoever has a narrow screen must walk there
       const isSeen = x > 0 && x < clientWidth - this.size
       if (isSeen) this.#show(x + 1.4 * this.size * Math.sin(now / 300), y)
@@ -219,7 +223,7 @@ export class Digger {
     }
     this.#show(...at)
     if (time > 0 && last === null) this.#begin()
-    if (time > 0) this.#touch(...(last ?? at), ...at)
+    if (time > 0) this.#touch(...(last ?? after(0)), ...at)
     const isCut = time >= 1, next = k + 1
     if (isCut) this.#hand.hidden = true
     requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))

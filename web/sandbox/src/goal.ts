@@ -19,13 +19,15 @@ const dustColour = '#d9c3a5'
 const feast = 2.5 // seconds, when all places are full
 const day = 2 // as the cave counts light
 const tasks = ['Drag to dig crystals free.', 'Boulders break crystals.', 'Cut the ropes.'] // of the caverns in turn
-const walkOn = 'Day! Walk on to the next cavern.'
+const walkOn = 'Day! Walk on.'
 
 /** What a visitor has done, for the goal. */
 export interface Deeds {
   readonly strokes: number // that can be taken back
   readonly goesBack: boolean
-  /** How often somebody began to dig in a cavern. */
+  /** How often somebody began to dig. */
+  readonly digs: number
+  /** That in a cavern. */
   digsIn(cavern: number): number
 }
 
@@ -47,6 +49,7 @@ export class Goal {
   #here = 0 // the cavern that is counted: where one dug, or walked to
   #x = 0 // where the picture was
   #feast = 0 // seconds that are left of it
+  #row = { digs: 0, count: 0 } // crystals that broke after the last dig
   #shake = 0 // pixels
 
   constructor(canvas: HTMLCanvasElement, ground: Ground, picture: GroundPicture, deeds: Deeds) {
@@ -126,6 +129,10 @@ export class Goal {
     this.#sparks.crumbs(below, Math.round(24 * hard), crumbColours[block] ?? dustColour, 6 + 5 * hard, 0.2 + 0.16 * hard)
     if (!isBroken) return
     this.#win(at, block)
+    if (block !== large) return
+    const { digs } = this.#deeds
+    this.#row = { digs, count: digs === this.#row.digs ? this.#row.count + 1 : 1 }
+    this.#sparks.say(at, this.#row.count > 1 ? `${this.#row.count} with one dig!` : '+1')
   }
 
   #arriveGold(): void {

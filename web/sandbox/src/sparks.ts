@@ -16,6 +16,12 @@ interface Spark {
   readonly isDust: boolean
 }
 
+interface Word {
+  readonly at: Point
+  readonly text: string
+  age: number
+}
+
 interface Flight {
   readonly from: Point
   readonly bend: Point
@@ -27,11 +33,13 @@ interface Flight {
 }
 
 const most = 700
+const wordLife = 1.3
 const gravity = 22 // cells per second squared
 
 export class Sparks {
   readonly #sparks: Spark[] = []
   #flights: Flight[] = []
+  #words: Word[] = []
 
   /** Crumbs to all sides, and a little up. */
   crumbs([x, y]: Point, count: number, colour: string, speed: number, size = 0.22): void {
@@ -57,7 +65,14 @@ export class Sparks {
     this.#flights.push({ from, bend, to, colour, life, arrive, age: 0 })
   }
 
+  /** It rises, and is gone. */
+  say(at: Point, text: string): void {
+    this.#words.push({ at, text, age: 0 })
+  }
+
   step(time: number): void {
+    for (const each of this.#words) each.age += time
+    this.#words = this.#words.filter(({ age }) => age < wordLife)
     for (const each of this.#sparks) {
       each.age += time
       each.x += time * each.vx
@@ -85,6 +100,7 @@ export class Sparks {
       c.fill()
     }
     for (const flight of this.#flights) this.#drawFlight(c, flight)
+    for (const word of this.#words) this.#drawWord(c, word)
     c.globalAlpha = 1
   }
 
@@ -101,6 +117,23 @@ export class Sparks {
       for (const [dx, dy] of [[0, 1.3], [0.8, 0], [0, -1.3], [-0.8, 0]]) c.lineTo(x + size * dx, y + size * dy)
       c.fill()
     }
+  }
+
+  #drawWord(c: CanvasRenderingContext2D, { at: [x, y], text, age }: Word): void {
+    const t = age / wordLife
+    c.save()
+    c.translate(x, y + 3 * Math.sqrt(t))
+    c.scale(1, -1) // letters stand upright
+    c.globalAlpha = Math.min(1, 3 * (1 - t))
+    c.font = `800 ${Math.min(1, 8 * t) * 1.7}px system-ui, sans-serif`
+    c.textAlign = 'center'
+    c.lineWidth = 0.25
+    c.lineJoin = 'round'
+    c.strokeStyle = 'rgba(20, 16, 44, 0.8)'
+    c.fillStyle = '#fff'
+    c.strokeText(text, 0, 0)
+    c.fillText(text, 0, 0)
+    c.restore()
   }
 
   #add(spark: Omit<Spark, 'angle' | 'spin' | 'age'>): void {
