@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -126,6 +127,11 @@ std::optional<Rock> takeRock(std::span<const std::byte>& bytes) {
   for (double* const real : {&rock.placing.origin.x, &rock.placing.origin.y, &rock.placing.cosine, &rock.placing.sine,
                              &rock.velocity.x, &rock.velocity.y, &rock.spin})
     *real = in.real();
+  const auto& [origin, cosine, sine] = rock.placing;
+  for (const double real : {origin.x, origin.y, rock.velocity.x, rock.velocity.y, rock.spin})
+    if (!std::isfinite(real)) return std::nullopt;
+  if (!(std::abs(cosine * cosine + sine * sine - 1) < 1e-3)) return std::nullopt;
+  World alone;  // takes nothing that can not be ground
   Body& ground = rock.ground;
   const auto [i, j] = in.pair();
   ground.origin = {i, j};
@@ -143,6 +149,7 @@ std::optional<Rock> takeRock(std::span<const std::byte>& bytes) {
       return std::max(std::int64_t{index} + by, -(std::int64_t{index} + by)) <= kMaxCell;
     };
     if (!isNear(i, column) || !isNear(j, row)) return std::nullopt;
+    if (!alone.add({i + column, j + row}, polygon.vertices, polygon.block)) return std::nullopt;
   }
   if (!in.isGood() || ground.polygons.empty()) return std::nullopt;
   ground.cells = cellsOf(ground);

@@ -1,5 +1,5 @@
 // What a Ground is made of: its window, its bytes, and what it draws.
-import { int32, rect } from './check.js'
+import { finite, int32, rect } from './check.js'
 import { LgsError } from './error.js'
 import { bodiesOf, numbersOf } from './ground-body.js'
 import type { GroundDrawing, Motion, Shelf } from './ground-types.js'
@@ -45,6 +45,8 @@ export interface Loaded {
   readonly world: World
   readonly rocks: Value[]
   readonly land: Corner[]
+  /** What is out of the window. */
+  readonly away: (Corner & { readonly bytes: Uint8Array })[]
 }
 
 /** All chunks of a world, those in memory and those on the shelf. */
@@ -57,13 +59,17 @@ export function savedGround(world: World, shelf: Shelf, rocks: readonly Value[],
     if (!bytes) throw new LgsError('unloaded', `the shelf does not give the chunk at cell (${i}, ${j})`, { cell: { i, j } })
     return bytes
   })
-  const numbers = [land.length, ...land.flatMap(({ i, j }) => [i, j]), rocks.length]
-  for (const { ground, motion: { x, y, angle, vx, vy, spin } } of rocks) {
-    const polygons = numbersOf(ground.polygons)
+  const numbers = [land.length]
+  for (const { i, j } of land) numbers.push(i, j)
+  numbers.push(rocks.length)
+  for (const { ground, motion } of rocks) {
+    const { x, y, angle, vx, vy, spin } = motion, polygons = numbersOf(ground.polygons)
+    for (const [name, value] of Object.entries({ x, y, angle, vx, vy, spin })) finite(`${name} of a rock`, value)
     numbers.push(x, y, Math.cos(angle), Math.sin(angle), vx, vy, spin, ground.i, ground.j, polygons.length)
     for (const number of polygons) numbers.push(number)
   }
-  numbers.push(away.length, ...away.flatMap(({ i, j }, k) => [i, j, chunks[k]!.length]))
+  numbers.push(away.length)
+  for (const [k, { i, j }] of away.entries()) numbers.push(i, j, chunks[k]!.length)
   const size = chunks.reduce((sum, { length }) => sum + length, 0), all = new Uint8Array(8 * numbers.length + size)
   new Float64Array(all.buffer, 0, numbers.length).set(numbers)
   let at = 8 * numbers.length
@@ -77,15 +83,16 @@ export function savedGround(world: World, shelf: Shelf, rocks: readonly Value[],
   return engine.answerBytes(count)
 }
 
-/** Reads that. What is out of the window goes onto the shelf. */
-export function loadedGround(saved: Uint8Array, window: CellRect, shelf: Shelf, options: WorldOptions): Loaded {
+/** Reads that. */
+export function loadedGround(saved: Uint8Array, window: CellRect, options: WorldOptions): Loaded {
   const { i0, j0, i1, j1 } = window, own = new Uint8Array(saved)
   const world = worldOf((engine, relation, isFloat) => {
     engine.putBytes(own)
     return islandCalls(engine).loadGround(own.length, relation, isFloat, i0, j0, i1, j1)
   }, options)
   const { engine } = placeOf(world), [count, size] = engine.answer(2) as unknown as [number, number]
-  const n = engine.answer(count).slice(), bytes = engine.answerBytes(size), land: Corner[] = [], rocks: Value[] = []
+  const n = engine.answer(count).slice(), bytes = engine.answerBytes(size)
+  const land: Corner[] = [], rocks: Value[] = [], away: Loaded['away'] = []
   let at = 2
   for (let left = n[at++]!; left > 0; --left) land.push({ i: n[at++]!, j: n[at++]! })
   for (let left = n[at++]!; left > 0; --left) {
@@ -96,10 +103,10 @@ export function loadedGround(saved: Uint8Array, window: CellRect, shelf: Shelf, 
   let begin = 0
   for (let left = n[at++]!; left > 0; --left) {
     const i = n[at++]!, j = n[at++]!, end = begin + n[at++]!
-    shelf.put(i, j, bytes.slice(begin, end))
+    away.push({ i, j, bytes: bytes.slice(begin, end) })
     begin = end
   }
-  return { world, rocks, land }
+  return { world, rocks, land, away }
 }
 
 // --- Drawing

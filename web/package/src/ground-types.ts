@@ -12,6 +12,11 @@ export interface Shelf {
   get(i: number, j: number): Uint8Array | null | undefined
 }
 
+/**
+ * What these functions throw comes out of the call that asked them, when that is done all the same: a pair of blocks whose
+ * preserve() throws is cancelled; a chunk whose land or bytes do not come is away, and what the shelf does not take is kept,
+ * until the next window(). They must not change the ground: that is refused as 'busy'.
+ */
 export interface GroundOptions {
   /** What holds an island: without it nothing ever falls. */
   readonly anchors?: Anchors
@@ -74,6 +79,10 @@ export interface GroundDrawing {
 export interface Host<Body> {
   /** Throws where nothing can be changed now. */
   refuseInStep(): void
+  /** Does work, all of it, even if a listener throws: that comes out at its end. */
+  whole<T>(work: () => T): T
+  /** Which bodies the game has not destroyed. */
+  living(): (body: Body) => boolean
   /** After each commit and roll-back. */
   show(changes: Changes): void
   /** A body for a rock; null, if there can be none. */

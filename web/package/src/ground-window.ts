@@ -1,8 +1,9 @@
 // Which part of a Ground is in memory, and the land that is made there.
 import { bad, within } from './check.js'
 import { LgsError } from './error.js'
-import { chunksAround, chunksIn, type Corner, everywhere, isSame, keyOf, shelfInMemory } from './ground-parts.js'
-import type { GroundOptions, Shelf } from './ground-types.js'
+import { type Asking, SafeShelf } from './ground-asking.js'
+import { chunksAround, chunksIn, type Corner, everywhere, isSame, keyOf } from './ground-parts.js'
+import type { GroundOptions } from './ground-types.js'
 import type { CellRect, World, WorldOptions } from './types.js'
 import { createWorld } from './world.js'
 
@@ -13,7 +14,8 @@ export class GroundWindow {
   cells = everywhere
   /** Whether nothing is to come or go. */
   isWhole = false
-  readonly shelf: Shelf
+  readonly shelf: SafeShelf
+  readonly #asking: Asking
   readonly #land: GroundOptions['land']
   readonly #ofWorld: WorldOptions
   readonly #atOnce: number
@@ -21,10 +23,10 @@ export class GroundWindow {
   #made = new Map<string, Corner>()     // chunks whose land was made
   #new: { readonly chunk: CellRect; readonly at: number }[] = [] // of these, which an undo may take away, and after which mark
 
-  constructor({ land, shelf = shelfInMemory(), chunksAtOnce = Infinity }: GroundOptions, ofWorld: WorldOptions) {
-    for (const [name, f] of Object.entries({ land, 'shelf.put': shelf?.put, 'shelf.get': shelf?.get }))
-      if (typeof f !== 'function' && (f !== undefined || name.startsWith('shelf'))) throw bad(name, 'a function', f)
-    this.shelf = shelf
+  constructor({ land, shelf, chunksAtOnce = Infinity }: GroundOptions, ofWorld: WorldOptions, asking: Asking) {
+    if (land !== undefined && typeof land !== 'function') throw bad('land', 'a function', land)
+    this.#asking = asking
+    this.shelf = new SafeShelf(asking, shelf)
     this.#land = land
     this.#ofWorld = ofWorld
     this.#atOnce = chunksAtOnce === Infinity ? Infinity : within('chunksAtOnce', chunksAtOnce, 1, 1e9)
@@ -46,7 +48,9 @@ export class GroundWindow {
   stream(world: World, now: number, beforeLand: () => void): void {
     const most = { left: this.#atOnce }
     // Land first, as a chunk that comes in needs to know what is beside it.
+    this.shelf.putKept()
     this.isWhole = this.#makeLand(world, now, beforeLand, most) && this.#unload(world, most) && this.#reload(world, most)
+      && this.shelf.hasAll
   }
 
   // --- Land
@@ -57,33 +61,51 @@ export class GroundWindow {
     for (const chunk of chunksIn(chunksAround(this.cells, 1))) {
       if (this.#made.has(keyOf(chunk.i0, chunk.j0))) continue
       if (most.left-- < 1) return false
-      this.#make(world, chunk, now, beforeLand)
+      if (!this.#make(world, chunk, now, beforeLand)) return false
       this.#putAway(world, chunk)
     }
     return true
   }
 
-  #make(world: World, chunk: CellRect, now: number, beforeLand: () => void): void {
-    beforeLand()
-    const make = this.#land!, land = createWorld(this.#ofWorld)
-    this.#made.set(keyOf(chunk.i0, chunk.j0), { i: chunk.i0, j: chunk.j0 })
-    this.#new.push({ chunk, at: now })
+  /** False, and nothing has changed, where the game does not make it, or the shelf does not give what it is made around. */
+  #make(world: World, chunk: CellRect, now: number, beforeLand: () => void): boolean {
+    const land = createWorld(this.#ofWorld)
     try {
-      make(land, chunk)
-      const [made] = land.unload(chunk)
-      if (made === undefined || (!world.firstUnloaded(chunk) && isReloaded(world, made.bytes))) return
+      const made = this.#asking.ask(() => {
+        this.#land!(land, chunk)
+        return land.unload(chunk)
+      }, null)
+      if (made === null || !this.#reload(world, { left: 1 }, chunk)) return false
+      beforeLand()
+      this.#made.set(keyOf(chunk.i0, chunk.j0), { i: chunk.i0, j: chunk.j0 })
+      this.#new.push({ chunk, at: now })
+      if (made.length > 0 && !isReloaded(world, made[0]!.bytes)) this.#makeAround(world, chunk, land, made[0]!.bytes)
+      return true
     } finally {
       land.free()
     }
-    world.reloadEmpty(chunk)  // where an undo went over it there is a chunk, which holds nothing
-    make(world, chunk)
+  }
+
+  /** Where the game has built before, or an undo went over it: what is there stays. */
+  #makeAround(world: World, chunk: CellRect, land: World, bytes: Uint8Array): void {
+    land.reload(bytes)
+    for (const { i, j, vertices, block } of land.polygons(chunk))
+      try {
+        world.addPolygon(i, j, vertices, block)
+      } catch (error) {
+        if (!(error instanceof LgsError)) throw error
+      }
   }
 
   /** An undo took away land that was made since; at that time nothing was dug there. Whether there was some. */
   remakeLand(world: World, now: number, beforeLand: () => void): boolean {
     const again = this.#new.filter(({ at }) => at >= now)
     this.#new = this.#new.filter(({ at }) => at < now)
-    for (const { chunk } of again) this.#make(world, chunk, now, beforeLand)
+    for (const { chunk } of again)
+      if (!this.#make(world, chunk, now, beforeLand)) {
+        this.#made.delete(keyOf(chunk.i0, chunk.j0))  // the next window() makes it
+        this.isWhole = false
+      }
     if (again.length > 0) this.#putAwayOutside(world)
     return again.length > 0
   }
@@ -97,7 +119,9 @@ export class GroundWindow {
 
   get land(): Corner[] { return [...this.#made.values()] }
   /** After a load. */
-  restart(land: readonly Corner[]): void {
+  restart(land: readonly Corner[], away: readonly (Corner & { readonly bytes: Uint8Array })[]): void {
+    this.shelf.dropKept()
+    for (const { i, j, bytes } of away) this.shelf.put(i, j, bytes)
     this.#made = new Map(land.map((corner) => [keyOf(corner.i, corner.j), corner]))
     this.#new = []
     this.isWhole = false
@@ -133,9 +157,9 @@ export class GroundWindow {
   }
 
   /** False where some are still away, as the shelf did not give one or there are more. */
-  #reload(world: World, most: { left: number }): boolean {
+  #reload(world: World, most: { left: number }, cells = this.cells): boolean {
     const down = (index: number) => Math.max(index & ~31, -farthest)
-    for (let cell = world.firstUnloaded(this.cells); cell; cell = world.firstUnloaded(this.cells)) {
+    for (let cell = world.firstUnloaded(cells); cell; cell = world.firstUnloaded(cells)) {
       if (most.left-- < 1) return false
       const bytes = this.shelf.get(down(cell.i), down(cell.j))
       if (!bytes || !isReloaded(world, bytes)) return false
