@@ -86,6 +86,7 @@ export class OutlineLines {
   /** The chunks that a commit or a roll-back changed. Give it each one's changes, in order, before the next commit. */
   update(changes: Changes): ChunkLines[] {
     follow(changes, this.#version, this.#world)
+    if (changes.before === changes.after) return []
     const touched = new Set<Chunk>()
     const { removed, added: { id, cell }, relinked: { id: relinked }, after } = changes
     this.#version = after
