@@ -41,6 +41,8 @@ LOOPS = {
     "never-seen": (10, 110),
     "stroke-full": (10, 110),
     "stroke-mixed": (10, 110),
+    "undo-full": (10, 110),
+    "undo-mixed": (10, 110),
 }
 LINES = "lines-ramps"
 CACHES = ["--cache-sim=yes", "--I1=32768,8,64", "--D1=32768,8,64", "--LL=131072,16,64"]
@@ -59,6 +61,8 @@ STEPS = {
     "never-seen": "a new polygon of 64 vertices comes and goes, two commits",
     "stroke-full": "a cut cell of a carved 32-gon of radius 3, with all of its carve and commit, full blocks",
     "stroke-mixed": "the same in mixed ground",
+    "undo-full": "such a stroke with its mark, its commit and the roll-back, full blocks",
+    "undo-mixed": "the same in mixed ground",
 }
 
 

@@ -135,9 +135,9 @@ void neverSeen(std::size_t times) {
   }
 }
 
-template <StrokeGround ground>
+template <StrokeGround ground, bool isUndone>
 void strokes(std::size_t times) {
-  carveHoles(ground, times);
+  carveHoles(ground, times, isUndone);
 }
 
 template <std::size_t count>
@@ -150,7 +150,7 @@ struct Loop {
   void (*run)(std::size_t times);
   std::size_t (*steps)(std::size_t times);
 };
-constexpr std::array<Loop, 12> kLoops{{{"edit-full", edit<Ground::full, NoView>, each<2 * kEdits>},
+constexpr std::array<Loop, 14> kLoops{{{"edit-full", edit<Ground::full, NoView>, each<2 * kEdits>},
                                        {"edit-ramps", edit<Ground::ramps, NoView>, each<2 * kEdits>},
                                        {"edges-full", edit<Ground::full, Edges>, each<2 * kEdits>},
                                        {"edges-ramps", edit<Ground::ramps, Edges>, each<2 * kEdits>},
@@ -160,8 +160,10 @@ constexpr std::array<Loop, 12> kLoops{{{"edit-full", edit<Ground::full, NoView>,
                                        {"bulk-full", build<Ground::full, addAtOnce>, each<kCells>},
                                        {"bulk-ramps", build<Ground::ramps, addAtOnce>, each<kCells>},
                                        {"never-seen", neverSeen, each<1>},
-                                       {"stroke-full", strokes<StrokeGround::full>, cellsCut},
-                                       {"stroke-mixed", strokes<StrokeGround::mixed>, cellsCut}}};
+                                       {"stroke-full", strokes<StrokeGround::full, false>, cellsCut},
+                                       {"stroke-mixed", strokes<StrokeGround::mixed, false>, cellsCut},
+                                       {"undo-full", strokes<StrokeGround::full, true>, each<1>},
+                                       {"undo-mixed", strokes<StrokeGround::mixed, true>, each<1>}}};
 
 }  // namespace
 }  // namespace lgs::bench

@@ -6,6 +6,7 @@
 #include <lgs/brush.h>
 
 #include <cstdlib>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -47,13 +48,15 @@ Region hole(std::size_t k, std::mt19937& random) {
 
 }  // namespace
 
-void carveHoles(StrokeGround ground, std::size_t count) {
+void carveHoles(StrokeGround ground, std::size_t count, bool isUndone) {
   World world = worldOf(ground);
   if (count > kHolesInARow * kHolesInARow) std::abort();
   std::mt19937 random(2);
   for (std::size_t k = 0; k < count; ++k) {
+    const std::optional<Mark> before = isUndone ? std::optional(world.mark()) : std::nullopt;
     if (!carve(world, hole(k, random))) std::abort();
     world.commit();
+    if (before && !world.rollBack(*before)) std::abort();
   }
 }
 

@@ -17,13 +17,13 @@ struct Spoke {
 };
 static_assert(sizeof(Spoke) == 8);
 
-/// What was met so far on a turn around a vertex: the last half-edge, and the last one before it that points another
+/// What was passed so far on a turn around a vertex: the last half-edge, and the last one before it that points another
 /// way.
-class Met {
+class Passed {
  public:
-  explicit Met(std::uint32_t none) : last_(none), before_(none) {}
+  explicit Passed(std::uint32_t none) : last_(none), before_(none) {}
 
-  void meet(const Spoke& spoke) {
+  void pass(const Spoke& spoke) {
     if (spoke.direction != direction_) before_ = last_;
     last_ = spoke.segment;
     direction_ = spoke.direction;
@@ -44,17 +44,17 @@ template <class Predecessor, class Successor>
 void radialMatch(std::span<const Spoke> fan, std::uint32_t none, Predecessor&& predecessor, Successor&& successor) {
   // What is met first clockwise is what was met last counter-clockwise, and the other way around. The first of two
   // turns only shows what lies before the spoke that the second one begins with.
-  Met incoming(none), outgoing(none);
+  Passed incoming(none), outgoing(none);
   for (const bool isFirst : {true, false}) {
     for (const Spoke& spoke : fan) {
       if (!spoke.outgoing)
-        incoming.meet(spoke);
+        incoming.pass(spoke);
       else if (!isFirst)
         predecessor(spoke.segment, incoming.besides(spoke.direction));
     }
     for (std::size_t k = fan.size(); k-- > 0;) {
       if (fan[k].outgoing)
-        outgoing.meet(fan[k]);
+        outgoing.pass(fan[k]);
       else if (!isFirst)
         successor(fan[k].segment, outgoing.besides(fan[k].direction));
     }

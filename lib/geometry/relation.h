@@ -16,7 +16,7 @@ struct Sight {
 
 /// Adds what the edge u→v sees, judged by its middle, to `sight`.
 template <LatticePoint P, class Ring>
-constexpr void look(P u, P v, const Ring& ring, Sight& sight) {
+constexpr void see(P u, P v, const Ring& ring, Sight& sight) {
   const auto doubled = [](P p) { return P{2 * p.x, 2 * p.y}; };
   const P middle{u.x + v.x, u.y + v.y};  // doubled, too
   bool inside = false;                   // the ray from there to the right meets an odd number of edges
@@ -38,7 +38,7 @@ Sight sightOf(const Ring& a, const Ring& b, Cuts cuts = {}) {
   Sight sight;
   for (std::size_t i = 0; i < a.size(); ++i) {
     cutEdge(a[i], nextVertex(a, i), b, cuts);
-    for (std::size_t k = 1; k < cuts.size(); ++k) look(cuts[k - 1], cuts[k], b, sight);
+    for (std::size_t k = 1; k < cuts.size(); ++k) see(cuts[k - 1], cuts[k], b, sight);
   }
   return sight;
 }

@@ -138,7 +138,7 @@ Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
   Error error{.code = ErrorCode::overlap};
   for (std::size_t k = 1; k < polygons.size(); ++k) {
     const auto earlier = polygons.first(k);
-    const auto other = std::ranges::find_if(earlier, [&](PolygonId id) { return meet(id, polygons[k]); });
+    const auto other = std::ranges::find_if(earlier, [&](PolygonId id) { return overlap(id, polygons[k]); });
     if (other == earlier.end()) continue;
     error.polygon = static_cast<std::int32_t>(k);
     error.polygon2 = static_cast<std::int32_t>(other - earlier.begin());

@@ -61,11 +61,11 @@ class Catalogue {
   Expected<ShapeId> internShape(std::span<const PolygonId> polygons);
 
   /// The content with these polygons, which are in increasing order. Those marked in `known` are known to be disjoint
-  /// from each other. A refusal for an overlap does not say which polygons are to blame: ask meet().
+  /// from each other. A refusal for an overlap does not say which polygons are to blame: ask overlap().
   Expected<ContentId> internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
                                     std::span<const std::pair<Slot, Slot>> preserved);
 
-  bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
+  bool overlap(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
   /// How many cells use a content; nothing if they are not counted.
   std::optional<std::uint32_t> users(ContentId id) const {

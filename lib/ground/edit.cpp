@@ -67,7 +67,7 @@ Error Edit::overlap() {
   Error error{.code = ErrorCode::overlap};
   for (std::size_t k = old; k < entries_.size(); ++k) {
     for (std::size_t other = 0; other < k; ++other) {
-      if (!ground_.catalogue.meet(entries_[other].polygon, entries_[k].polygon)) continue;
+      if (!ground_.catalogue.overlap(entries_[other].polygon, entries_[k].polygon)) continue;
       error.polygon = static_cast<std::int32_t>(k - old);
       if (other >= old) {
         error.polygon2 = static_cast<std::int32_t>(other - old);

@@ -11,7 +11,7 @@ namespace {
 /// Where a point lies as to one polygon.
 Spot::Where locate(PolygonView polygon, LocalPoint p) {
   Sight sight;
-  look(p, p, polygon, sight);
+  see(p, p, polygon, sight);
   if (sight.inside) return Spot::Where::inside;
   return sight.outside ? Spot::Where::outside : Spot::Where::edge;
 }

@@ -101,9 +101,7 @@ CellMask Ground::notedCells(std::uint32_t number) const {
   CellMask noted{};
   if (!journal.isOn()) return noted;
   for (std::uint32_t local = 0; local < kChunkCells; ++local)
-    if (journal.isNotedEver(Thing::cell, number * kChunkCells + local)) insert(noted, local);
-  for (const Note& note : journal.undone())
-    if (note.thing == Thing::cell && note.key / kChunkCells == number) insert(noted, note.key % kChunkCells);
+    if (journal.isCellNoted(number * kChunkCells + local)) insert(noted, local);
   return noted;
 }
 

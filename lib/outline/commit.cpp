@@ -91,6 +91,7 @@ void Outline::clear(const Chunk& chunk) {
       splice(at, 0, static_cast<std::uint32_t>(ids.size()), 0);
     }
   }
+  lists.forget(chunk.index);  // how they are kept is decided anew
 }
 
 /// Of what changed, what is not hidden, or was not.

@@ -46,6 +46,7 @@ inline void fetchCells(const Outline& outline, CellAt at, std::uint32_t cellRef)
   outline.lists.forEachPlaceAround(cellRef, [](const void* place) { prefetch(place); });
 }
 inline void fetchLists(const Outline& outline, std::uint32_t cellRef) {
+  if (outline.lists.hasShortLists(cellRef / kChunkCells)) return;  // they are there already
   outline.lists.forEachAround(cellRef, [](CellSegments list) { prefetch(list.ids()); });
 }
 /// Of each list the first three; most cells have no more. A branch on how many there are would be mispredicted.

@@ -38,15 +38,20 @@ struct Seen {
 /// Segments by their place in a list of ids, where they are alive.
 using SeenById = std::vector<std::optional<Seen>>;
 
-SeenById look(const Grid& grid, const Outline& outline, const std::vector<std::uint32_t>& ids) {
+SeenById seenNow(const Grid& grid, const Outline& outline, const std::vector<std::uint32_t>& ids) {
   SeenById seen(ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const std::uint32_t id = ids[k];
     if (!outline.isShown({id})) continue;
     const SegmentRecord& s = outline.segments[id];
-    Seen& now = seen[k].emplace(outline.startOf(grid, id), outline.endOf(grid, id), s.block, s.cellRef, s.serial);
-    if (s.predecessor != kNoSegment) now.ghost1 = outline.startOf(grid, s.predecessor);
-    if (s.successor != kNoSegment) now.ghost2 = outline.endOf(grid, s.successor);
+    const Cell cell = grid.cellOf(s.cellRef);
+    const auto cellOf = [&](const SegmentRecord& ghost) {  // mostly the same one
+      return ghost.cellRef == s.cellRef ? cell : grid.cellOf(ghost.cellRef);
+    };
+    Seen& now = seen[k].emplace(toWorld(cell, s.start()), toWorld(cell, s.end()), s.block, s.cellRef, s.serial);
+    const SegmentRecord &before = outline.segments[s.predecessor], &after = outline.segments[s.successor];
+    if (s.predecessor != kNoSegment) now.ghost1 = toWorld(cellOf(before), before.start());
+    if (s.successor != kNoSegment) now.ghost2 = toWorld(cellOf(after), after.end());
   }
   return seen;
 }
@@ -122,13 +127,14 @@ void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32
                    const std::function<void()>& go, const std::function<bool()>& stream) {
   detail::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // clang 14 does not take the one of std::ranges
-  const SeenById before = look(grid, *this, ids);
+  const SeenById before = seenNow(grid, *this, ids);
   const std::uint64_t version = version_;
   go();
   segments.setLength(state.ids);
   version_ = state.version;
   changes = {};
-  if (stream()) {  // what is not noted was until then as it was before
+  const bool isStreamed = stream();
+  if (isStreamed) {  // what is not noted was until then as it was before
     const auto take = [&](const std::vector<SegmentId>& of, std::vector<SegmentId>& to) {
       std::ranges::copy_if(of, std::back_inserter(to),
                            [&](SegmentId id) { return !std::ranges::binary_search(ids, id.value); });
@@ -137,7 +143,7 @@ void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32
     take(this->changes().added, changes.added);
     take(this->changes().relinked, changes.relinked);
   }
-  const SeenById after = look(grid, *this, ids);
+  const SeenById after = seenNow(grid, *this, ids);
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const SegmentId id{ids[k]};
     const auto &then = before[k], &now = after[k];
@@ -146,7 +152,8 @@ void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32
     if (now && !same) changes.added.push_back(id);
     if (same && (then->ghost1 != now->ghost1 || then->ghost2 != now->ghost2)) changes.relinked.push_back(id);
   }
-  for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
+  if (isStreamed)
+    for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
   changes.before = version;
   changes.after = version_;
 }

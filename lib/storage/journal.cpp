@@ -41,6 +41,25 @@ void Journal::takeBack(const Note& note) {
     newest_.set(key, note.before);
 }
 
+void Journal::addUndone(const Note& note) {
+  undone_.push_back(note);
+  if (note.thing != Thing::cell) return;
+  const std::uint64_t key = keyOf(note.thing, note.key);
+  timesUndone_.set(key, timesUndone_.find(key) + 1);
+}
+
+Note Journal::takeUndone() {
+  const Note note = undone_.back();
+  undone_.pop_back();
+  if (note.thing != Thing::cell) return note;
+  const std::uint64_t key = keyOf(note.thing, note.key), times = timesUndone_.find(key);
+  if (times == 1)
+    timesUndone_.erase(key);
+  else
+    timesUndone_.set(key, times - 1);
+  return note;
+}
+
 std::uint32_t Journal::keep(std::span<const std::uint32_t> words) {
   const RecordArena::Ref reference = words_.allocate(static_cast<std::uint32_t>(1 + words.size()));
   std::uint32_t* to = words_.at(reference);
@@ -68,6 +87,8 @@ bool Journal::isValid() const {
   for (const std::uint64_t key : keys)
     if (newest_.find(key) < places_.front().moment) return false;
   const auto isInOrder = [](const Place& a, const Place& b) { return a.moment < b.moment && a.begin <= b.begin; };
+  for (const Note& note : undone_)
+    if (note.thing == Thing::cell && timesUndone_.find(keyOf(note.thing, note.key)) == 0) return false;
   for (std::size_t k = 1; k < places_.size(); ++k)
     if (!isInOrder(places_[k - 1], places_[k])) return false;
   return newest_.count() == keys.size() && latest_ == (places_.empty() ? 0 : places_.back().moment) &&
@@ -75,7 +96,7 @@ bool Journal::isValid() const {
 }
 
 std::uint64_t Journal::bytes() const {
-  return heldBytes(notes_, places_, undone_, ahead_) + newest_.bytes() + words_.bytes();
+  return heldBytes(notes_, places_, undone_, ahead_) + newest_.bytes() + timesUndone_.bytes() + words_.bytes();
 }
 
 }  // namespace lgs::detail

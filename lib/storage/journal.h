@@ -86,16 +86,17 @@ class Journal {
     assert(isOn());
     return isNotedSince(latest_, thing, key);
   }
-  /// Whether there is a note of it, but for those that are undone.
-  bool isNotedEver(Thing thing, std::uint32_t key) const { return newest_.find(keyOf(thing, key)) != 0; }
+  /// Whether there is a note of a cell, undone or not.
+  bool isCellNoted(std::uint32_t ref) const {
+    const std::uint64_t key = keyOf(Thing::cell, ref);
+    return newest_.find(key) != 0 || timesUndone_.find(key) != 0;
+  }
   /// Before a thing changes that is not noted: the caller says what it holds.
   Note& add(Thing thing, std::uint32_t key);
   /// Those since a moment, in the order in which they were made. The first of a thing, which says what it held at that
   /// moment, displaced a note of before it.
   std::span<const Note> since(Moment moment) const { return std::span(notes_).subspan(places_[indexOf(moment)].begin); }
 
-  /// Those that are undone and can come back, the next one last.
-  std::span<const Note> undone() const { return undone_; }
   /// Calls visit(note) for each that is there, undone or not.
   template <class Visit>
   void forEach(Visit&& visit) const {
@@ -153,6 +154,8 @@ class Journal {
     return place + 1 < places_.size() ? places_[place + 1].begin : notes_.size();
   }
   void takeBack(const Note& note);
+  void addUndone(const Note& note);
+  Note takeUndone();
   void stop();
   template <class Drop>
   void dropOldest(std::size_t end, Drop&& drop);
@@ -170,6 +173,7 @@ class Journal {
   // What was undone and can come back, the first to come back last.
   std::vector<Note> undone_;
   std::vector<Place> ahead_;
+  Newest timesUndone_;  ///< of each cell that they are of: how many they are
 };
 
 template <class Drop>
@@ -236,7 +240,7 @@ void Journal::undoTo(Moment moment, Undone undone, Exchange&& exchange, Drop&& d
     takeBack(note);
     exchange(note);
     if (undone == Undone::keep)
-      undone_.push_back(note);
+      addUndone(note);
     else
       drop(note);
   }
@@ -248,8 +252,8 @@ template <class Exchange, class Drop>
 void Journal::redoTo(Moment moment, Exchange&& exchange, Drop&& drop) {
   assert(isAhead(moment));
   do {
-    for (; undone_.size() > ahead_.back().begin; undone_.pop_back()) {
-      Note note = undone_.back();
+    while (undone_.size() > ahead_.back().begin) {
+      Note note = takeUndone();
       exchange(note);
       if (isNoted(note.thing, note.key)) {
         drop(note);
@@ -269,6 +273,7 @@ template <class Drop>
 void Journal::forgetUndone(Drop&& drop) {
   for (const Note& note : undone_) drop(note);
   undone_ = std::vector<Note>();
+  timesUndone_ = Newest();
   ahead_.clear();
 }
 

@@ -101,5 +101,25 @@ TEST(RollBackCost, OfMarksThatGoIsThatOfTheirEdits) {
   }
 }
 
+/// A chunk leaves, after some edits elsewhere were undone that a redo can bring back.
+TEST(RollBackCost, OfUnloadingDoesNotGrowWithWhatWasUndone) {
+  const auto cost = [](std::int32_t side) {
+    World world;
+    const ShapeId square = world.shape(kUnitSquare).value();
+    EXPECT_TRUE(world.fill({{0, 0}, {259, 259}}, square, 1));
+    world.commit();
+    const Mark before = world.mark();
+    EXPECT_TRUE(world.clear(CellRect{{0, 0}, {side - 1, side - 1}}));
+    world.commit();
+    const Mark after = world.mark();
+    EXPECT_TRUE(world.rollBack(before, Undone::keep));
+    const std::uint64_t visits = visitsOf([&] { EXPECT_EQ(world.unload({{224, 224}, {255, 255}}, {}).value(), 1U); });
+    EXPECT_TRUE(world.redo(after));
+    return visits;
+  };
+  const std::uint64_t few = cost(10);
+  EXPECT_LE(cost(200), few + few / 10);
+}
+
 }  // namespace
 }  // namespace lgs::cost_test

@@ -27,11 +27,12 @@ struct Blade {
 
 static_assert(kMostConvexPieces < 32, "a Corner has a bit for each blade");
 
-/// A vertex of an outline, from which an edge runs to the next one.
+/// A vertex of an outline, or of another one on an edge of this one. An edge runs from it to the next corner.
 struct Corner {
   Point at;
   std::size_t area, next;
   unsigned left;  ///< a bit for each blade: whether the vertex is on its left, and so perhaps in the region
+  std::size_t firstCut = 0, endCut = 0;  ///< of the edge
 };
 
 /// Which corner and which cut of all is the first one of an outline.
@@ -45,7 +46,8 @@ struct Cut {
   std::size_t corner;  ///< where the edge begins
   std::size_t blade;
   bool enters;              ///< the edge goes into the region; if not, out of it
-  std::size_t partner = 0;  ///< of one that enters: where the chain that it meets there came into the outline
+  std::size_t next = 0;     ///< along the outline
+  std::size_t partner = 0;  ///< of one that enters: where the chain that it meets there came into the area
   bool isWalked = false;    ///< of one that leaves
 };
 
@@ -82,15 +84,16 @@ class Clip {
     if (blades_.empty() || !findCuts() || !bendsNothing()) return std::nullopt;
     CellEdit edit;
     List<Points> rings;
-    for (std::size_t o = 0; o < ground_.outlines.size(); ++o) {
+    for (std::size_t o = 0, end = 0; o < ground_.outlines.size(); o = end) {
       const std::size_t group = ground_.outlines[o].area;
+      while (end < ground_.outlines.size() && ground_.outlines[end].area == group) ++end;
       if (ground_.groups[group] == kNoGroup) continue;
       List<std::size_t> old;
       for (std::size_t k = group; k < ground_.groups.size(); ++k)
         if (ground_.groups[k] == group) old.push_back(k);
       edit.gone.insert(edit.gone.end(), old.begin(), old.end());
       rings.clear();
-      if (!walk(o, rings)) return std::nullopt;
+      if (!walk(o, end, rings)) return std::nullopt;
       for (Points& ring : rings) {
         List<std::size_t> from = old.size() == 1 ? old : partsIn(ring, old, ground_);
         edit.placed.push_back({std::move(ring), ground_.polygons[group].block, std::move(from)});
@@ -103,7 +106,7 @@ class Clip {
  private:
   unsigned all() const { return (1U << blades_.size()) - 1; }
 
-  /// False if a group has more than one ring, or if it is too much.
+  /// False if it is too much.
   bool findCuts() {
     std::size_t count = 0;
     for (const Outline& o : ground_.outlines) count += o.ring.size();
@@ -111,15 +114,19 @@ class Clip {
     corners_.reserve(count);
     cuts_.reserve(2 * count);
     begins_.reserve(ground_.outlines.size() + 1);
-    for (std::size_t o = 0; o < ground_.outlines.size(); ++o) {
-      const auto& [area, ring] = ground_.outlines[o];
+    if (ground_.outlines.size() > 1) addVertices(ground_.outlines, vertices_);
+    for (const auto& [area, ring] : ground_.outlines) {
       const bool cuts = ground_.groups[area] != kNoGroup;
-      if (cuts && o + 1 < ground_.outlines.size() && ground_.outlines[o + 1].area == area) return false;
-      const std::size_t first = corners_.size();
-      begins_.push_back({first, cuts_.size()});
+      const std::size_t first = corners_.size(), firstCut = cuts_.size();
+      begins_.push_back({first, firstCut});
       for (const Point p : ring) addCorner(p, area, cuts);
       corners_.back().next = first;
-      for (std::size_t k = first; cuts && k < corners_.size(); ++k) addCuts(k);
+      std::size_t k = first;
+      do {
+        if (cuts) addCuts(k);
+        k = corners_[k].next;
+      } while (k != first);
+      for (std::size_t c = firstCut; c < cuts_.size(); ++c) cuts_[c].next = c + 1 == cuts_.size() ? firstCut : c + 1;
     }
     begins_.push_back({corners_.size(), cuts_.size()});
     return true;
@@ -132,8 +139,21 @@ class Clip {
     corners_.push_back(corner);
   }
 
+  /// Cuts an edge at the vertices of other outlines on it: between two of them it has chains of its own.
+  void split(std::size_t k) {
+    const std::size_t next = corners_[k].next;
+    detail::cutEdge(corners_[k].at, corners_[next].at, vertices_, parts_);
+    for (std::size_t n = 1; n + 1 < parts_.size(); ++n) {
+      corners_[k].next = corners_.size();
+      k = corners_.size();
+      addCorner(parts_[n], corners_[next].area, true);
+      corners_[k].next = next;
+    }
+  }
+
   /// The region is convex: an edge enters it at most once, and then leaves it.
   void addCuts(std::size_t k) {
+    if (corners_[k].left != corners_[corners_[k].next].left) split(k);
     const Corner &c = corners_[k], &next = corners_[c.next];
     const unsigned sides = c.left ^ next.left;
     const std::size_t first = cuts_.size();
@@ -145,10 +165,12 @@ class Clip {
         cuts_.push_back({*pixel, k, b, (c.left >> b & 1) == 0});
     }
     if (cuts_.size() == first + 2 && cuts_[first + 1].enters) std::swap(cuts_[first], cuts_[first + 1]);
+    corners_[k].firstCut = first;
+    corners_[k].endCut = cuts_.size();
   }
 
-  /// Whether no edge passes a pixel of another vertex or crossing. It may have vertices of other groups on it if nothing
-  /// crosses it. If a vertex of its own group lies on it, the outline touches itself there, and so would what is left.
+  /// Whether no edge passes a pixel of another vertex or crossing. Vertices of other groups may lie on it. If one of its
+  /// own group does, the outline touches itself there, and so would what is left.
   bool bendsNothing() {
     hot_.reserve(corners_.size() + kCorners.size() + region_.size() + cuts_.size());
     for (const Corner& c : corners_) hot_.push_back(c.at);
@@ -162,12 +184,8 @@ class Clip {
     for (const Cut& c : cuts_) hot_.push_back(c.at);
     for (std::size_t b = 0; b < blades_.size(); ++b)
       if (isBent(b)) return false;
-    std::size_t cut = 0;
-    for (std::size_t k = 0; k < corners_.size(); ++k) {
-      const std::size_t first = cut;
-      while (cut < cuts_.size() && cuts_[cut].corner == k) ++cut;
-      if (isBent(k, first, cut)) return false;
-    }
+    for (const Corner& c : corners_)
+      if (isBent(c)) return false;
     return true;
   }
 
@@ -175,11 +193,12 @@ class Clip {
   template <class IsOwn>
   bool passesOther(const Piece& p, IsOwn&& isOwn) const {
     const auto box = detail::boundingBox(std::array{p.start, p.end});
-    for (std::size_t h = 0; h < hot_.size(); ++h) {
-      const Point z = hot_[h];
+    std::size_t h = 0;
+    for (const Point z : hot_) {
       if (z.x >= box.min.x && z.x <= box.max.x && z.y >= box.min.y && z.y <= box.max.y && !isOwn(h, z) &&
           passes(p.a, p.b, z))
         return true;
+      ++h;
     }
     return false;
   }
@@ -191,16 +210,16 @@ class Clip {
     });
   }
 
-  /// Of an edge of an outline, with its cuts. Those of the same edge of another outline are its own, too.
-  bool isBent(std::size_t k, std::size_t firstCut, std::size_t endCut) const {
-    const Corner& edge = corners_[k];
-    const Point from = edge.at, to = corners_[edge.next].at;
+  /// Of an edge of an outline. Cuts of the same edge of another outline are its own, too.
+  bool isBent(const Corner& edge) const {
+    const Corner& next = corners_[edge.next];
+    const Point from = edge.at, to = next.at;
     return passesOther({from, to, from, to}, [&](std::size_t h, Point z) {
-      if (h < corners_.size() && corners_[h].area == edge.area) return h == k || h == edge.next;
-      if (h < ofRegion_) return z == from || z == to || (firstCut == endCut && orientation(from, to, z) == 0);
+      if (h < corners_.size() && corners_[h].area == edge.area) return &corners_[h] == &edge || &corners_[h] == &next;
+      if (h < ofRegion_) return orientation(from, to, z) == 0;
       if (h < ofCuts_) {
         bool isCut = false;
-        for (std::size_t c = firstCut; c < endCut; ++c) isCut |= cuts_[c].at == z;
+        for (std::size_t c = edge.firstCut; c < edge.endCut; ++c) isCut |= cuts_[c].at == z;
         return isCut && runsAlongRim(from, to);
       }
       const Corner& other = corners_[cuts_[h - ofCuts_].corner];
@@ -208,12 +227,13 @@ class Clip {
     });
   }
 
-  /// Adds what is left of a group's outline, by least vertex. A blade runs through the outline from one cut to the next
-  /// one. So one goes along the outline up to where it enters the region, and back along the chain. False if it is not
-  /// cut, but touched.
-  bool walk(std::size_t o, List<Points>& rings) {
-    const std::size_t first = begins_[o].cut, end = begins_[o + 1].cut;
-    if (first == end) return corners_[begins_[o].corner].left == all();  // nothing is left
+  /// Adds what is left of a group, by least vertex. A blade runs through the group from one cut to the next one. So one
+  /// goes along an outline up to where it enters the region, and back along the chain. False if the region only touches
+  /// the group, or if a hole of it stays.
+  bool walk(std::size_t firstOutline, std::size_t endOutline, List<Points>& rings) {
+    for (std::size_t o = firstOutline; o < endOutline; ++o)
+      if (begins_[o].cut == begins_[o + 1].cut && corners_[begins_[o].corner].left != all()) return false;
+    const std::size_t first = begins_[firstOutline].cut, end = begins_[endOutline].cut;
     List<std::size_t> along;
     along.reserve(end - first);
     for (std::size_t c = first; c < end; ++c) along.push_back(c);
@@ -227,20 +247,19 @@ class Clip {
       assert(!cuts_[along[k - 1]].enters && cuts_[along[k]].enters && "a blade goes in and out by turns");
       cuts_[along[k]].partner = along[k - 1];
     }
-    const std::size_t firstCorner = begins_[o].corner, endCorner = begins_[o + 1].corner;
     for (std::size_t c = first; c < end; ++c) {
       if (cuts_[c].enters || cuts_[c].isWalked) continue;
       Points ring;
-      ring.reserve(endCorner - firstCorner + (end - first) + blades_.size());
+      ring.reserve(begins_[endOutline].corner - begins_[firstOutline].corner + (end - first) + blades_.size());
       for (std::size_t leaves = c; !cuts_[leaves].isWalked;) {
         cuts_[leaves].isWalked = true;
-        const std::size_t enters = leaves + 1 == end ? first : leaves + 1;
+        const std::size_t enters = cuts_[leaves].next;
         assert(cuts_[enters].enters);
         ring.push_back(cuts_[leaves].at);
         if (cuts_[enters].corner != cuts_[leaves].corner || enters < leaves) {
           std::size_t k = cuts_[leaves].corner;
           do {
-            k = k + 1 == endCorner ? firstCorner : k + 1;
+            k = corners_[k].next;
             ring.push_back(corners_[k].at);
           } while (k != cuts_[enters].corner);
         }
@@ -258,6 +277,7 @@ class Clip {
   PieceSpan region_;
   List<Blade> blades_;
   List<Corner> corners_;
+  Points vertices_, parts_;  ///< of all outlines if there are several, and of an edge that they part
   List<Cut> cuts_;
   List<Begin> begins_;  ///< by outline, with the end of the last one
   Points hot_;  ///< corners, then those of the cell, then ends of blades from ofRegion_ on, then cuts from ofCuts_ on

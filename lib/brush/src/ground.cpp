@@ -13,13 +13,6 @@ namespace {
 
 using detail::nextVertex;
 
-void addVertices(const List<Outline>& outlines, Points& points) {
-  std::size_t count = points.size();
-  for (const Outline& o : outlines) count += o.ring.size();
-  points.reserve(count);
-  for (const Outline& o : outlines) points.insert(points.end(), o.ring.begin(), o.ring.end());
-}
-
 /// All vertices, and where the region's edges cross each other or the cell's rim. They end on the rim, but a rounded
 /// end can lie beside the edge. Nothing if the region crosses itself too often.
 std::optional<Points> knownPoints(const List<Outline>& outlines, PieceSpan region) {
@@ -88,6 +81,13 @@ List<HalfEdge> outlineOf(std::size_t group, const List<std::size_t>& groups, con
 }
 
 }  // namespace
+
+void addVertices(const List<Outline>& outlines, Points& points) {
+  std::size_t count = points.size();
+  for (const Outline& o : outlines) count += o.ring.size();
+  points.reserve(count);
+  for (const Outline& o : outlines) points.insert(points.end(), o.ring.begin(), o.ring.end());
+}
 
 Ground groundOf(const List<CellPolygon>& polygons, const List<bool>& meeting) {
   List<Outline> outlines;

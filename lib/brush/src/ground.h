@@ -37,6 +37,8 @@ struct Ground {
   List<Side> sides;          ///< sorted
 };
 
+void addVertices(const List<Outline>& outlines, Points& points);
+
 /// What there is without the region: neither known points nor sides.
 Ground groundOf(const List<CellPolygon>& polygons, const List<bool>& meeting);
 

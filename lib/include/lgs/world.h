@@ -273,7 +273,7 @@ class World {
   /// gets the bytes of each: its polygons, blocks and handles, as they are after all edits, committed or not. Returns
   /// how many chunks these are. Refused:
   /// cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells of these
-  /// chunks, and of each to what was undone and can come back.
+  /// chunks.
   [[nodiscard]] Expected<std::uint64_t> unload(const CellRect& cells, const ChunkSink& sink) noexcept;
 
   /// A chunk comes back as it was, to the last handle; but for what a roll-back or redo changed since. Returns its
