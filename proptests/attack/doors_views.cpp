@@ -243,6 +243,16 @@ void addDoorsOfBodies(Doors& door) {
        [](Scene&, const Body& body, bool isLeast) { return convexParts(body, isLeast ? 3 : 4'096).has_value(); });
   door("putAsItLies(World&, const Body&, const Placing&)",
        [](Scene& s, const Body& body, const Placing& placing) { return putAsItLies(s.world, body, placing); });
+  door("partsAsTheyLie(const Body&, const Placing&, size_t)",
+       [](Scene&, const Body& body, const Placing& placing, bool isSmall) {
+         return partsAsTheyLie(body, placing, isSmall ? 1 : 64).has_value();
+       });
+  door("putPart(World&, span<const LyingBlock>)",
+       [](Scene& s, const Body& body, const Placing& placing) -> Expected<void> {
+         const auto parts = partsAsTheyLie(body, placing, 2);
+         if (!parts || parts->empty()) return {};
+         return putPart(s.world, parts->front());
+       });
 }
 
 void addDoorsOfPieces(Doors& door) {

@@ -2,7 +2,7 @@
 // docs/timings.md, "In the browser".
 //
 //   cmake --preset release && cmake --build build/release --target lgs_web_native     (at the root of the project)
-//   npm ci && npm run bench                                                           (here; the package must be built)
+//   npm install && npm run bench                                                      (here; the package must be built)
 import { fileURLToPath } from 'node:url'
 import { makeSubjects, Native } from './subjects.mjs'
 

@@ -1,7 +1,7 @@
 // What a game on the web waits for: strokes, physics, drawing, large worlds. It prints the table "The web" of
 // docs/internals/performance.md. Nanoseconds are of the processor, medians of rounds; subjects take turns in a round.
 //
-//   npm run game [ROWS]        (here, after what bench.mjs wants)      ROWS: strokes, tiles, worlds, spikes, sizes, article
+//   npm run game [ROWS]        (here, after what bench.mjs wants)      ROWS: strokes, tiles, worlds, spikes, sizes
 import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import Clipper from 'clipper2-wasm/dist/es/clipper2z.js'
@@ -11,9 +11,8 @@ import { OutlineLines } from 'localgridseg/draw'
 import { PlanckTerrain } from 'localgridseg/planck'
 import { Circle, EdgeShape, World as Physics } from 'planck'
 import polygonClipping from 'polygon-clipping'
-import ts from 'typescript'
 import { clipperStrokes, hole, holes } from './holes.mjs'
-import { randomNumbers, shapesOf, shapesOfCells, side } from './scenario.mjs'
+import { randomNumbers, side } from './scenario.mjs'
 import { timed } from './package-subject.mjs'
 import { Native } from './subjects.mjs'
 
@@ -133,15 +132,6 @@ async function worlds() {
   }])
   row('createWorld with 1,000 and more kept', units(made), '')
   for (const world of kept) world.free()
-  const filled = (cells) => () => {
-    const world = createWorld(), square = world.shape(unitSquare)
-    const time = timed(() => world.fill({ i0: 0, j0: 0, i1: cells - 1, j1: cells - 1 }, square, 7))
-    world.free()
-    return time
-  }
-  const [small, large] = await rounds(3, [filled(3000), filled(10000)])
-  row('fill of 3,000²', units(small), '')
-  row('fill of 10,000²', units(large), `${(large / small).toFixed(1)} × the other; cells: 11.1 ×`)
 }
 
 /** 10,000 vertices on two circles in turn. */
@@ -216,53 +206,8 @@ async function sizes() {
   }
 }
 
-/** The article's TypeScript, as it stands in published.ts, beside the package. Both must come to the same segments. */
-async function article() {
-  const source = readFileSync(new URL('published.ts', import.meta.url), 'utf8')
-  const { outputText } = ts.transpileModule(source, { compilerOptions: { target: 'ES2022', module: 'ESNext' } })
-  const { Published } = await import(`data:text/javascript,${encodeURIComponent(outputText)}`)
-  for (const kind of ['full', 'ramps']) {
-    const shapes = shapesOfCells(kind, randomNumbers())
-    let polygons, sum = 0
-    const build = () => timed(() => {
-      polygons = shapes.map((shape, cell) => shapesOf[kind][shape].map(([x, y]) => ({ x: x + (cell % side), y: y + Math.floor(cell / side) })))
-    })
-    const segments = () => {
-      const published = new Published()
-      const time = timed(() => {
-        polygons.forEach((polygon, cell) => published.add(cell % side, Math.floor(cell / side), polygon, 7))
-        published.compute()
-      })
-      sum = 0
-      for (const { start, end } of published.segments()) sum += start.x + 2 * start.y + 3 * end.x + 4 * end.y
-      return time
-    }
-    let ourSum = 0
-    const ours = () => {
-      const world = createWorld(), ids = shapesOf[kind].map((vertices) => world.shape(vertices))
-      const entries = new Int32Array(4 * shapes.length)
-      shapes.forEach((shape, cell) => entries.set([cell % side, Math.floor(cell / side), ids[shape], 7], 4 * cell))
-      let changes
-      const time = timed(() => {
-        world.addMany(entries)
-        changes = world.commit()
-      })
-      const { geometry, length } = changes.added
-      ourSum = 0
-      for (let k = 0; k < 8 * length; k += 8)
-        ourSum += geometry[k] + 2 * geometry[k + 1] + 3 * geometry[k + 2] + 4 * geometry[k + 3]
-      world.free()
-      return time
-    }
-    const [polygonTime, segmentTime, ourTime] = await rounds(11, [build, segments, ours])
-    if (sum !== ourSum) throw new Error(`${kind}: the published algorithm comes to ${sum}, the package to ${ourSum}`)
-    row(`article's TypeScript, ${kind}: polygons, segments`, `${units(polygonTime)}, ${units(segmentTime)}`,
-      `the package's segments ${units(ourTime)}: ${(segmentTime / ourTime).toFixed(1)}×`)
-  }
-}
-
 await init()
-const all = { strokes, tiles, worlds, spikes: spiky, sizes, article }
+const all = { strokes, tiles, worlds, spikes: spiky, sizes }
 const chosen = process.argv.slice(2)
 row('work', 'now', 'beside it')
 row('---', '---', '---')

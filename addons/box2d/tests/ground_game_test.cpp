@@ -79,7 +79,8 @@ class GroundGame {
     return {.isAnchor = [](Block block, Cell) { return block == kRock; },
             .staying = [](Block block) { return block == kRock; },
             .land = hillsOn,
-            .chunksAtOnce = random_.chance(50) ? 1 + random_.below(std::size_t{4}) : 100};
+            .chunksAtOnce = random_.chance(50) ? 1 + random_.below(std::size_t{4}) : 100,
+            .settleAtOnce = random_.chance(50) ? 1 + random_.below(std::size_t{6}) : 64};
   }
   std::unique_ptr<box2d::Ground> made() {
     return std::make_unique<box2d::Ground>(options(), crowd_.physics, box2d::TerrainOptions{.merge = true});
@@ -156,6 +157,7 @@ class GroundGame {
     if (rocks.empty()) return;
     box2d::destroyBody(crowd_.physics, rocks[random_.below(rocks.size())]);
     body();
+    EXPECT_TRUE(ground_->edit([](World&) { return Expected<void>(); }));  // so that nothing before is taken back
     ground_->forgetUndo();
     moments_ = {stuff()};
     now_ = 0;

@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
 namespace lgs::detail {
 namespace {
 
-template <class IsIn>
-Expected<World> worldOfThose(const Body& body, World world, IsIn&& isIn) {
+/// Of those polygons that nameOf(index) has a block for.
+template <class NameOf>
+Expected<World> worldOfThose(const Body& body, World world, NameOf&& nameOf) {
   for (std::size_t k = 0; k < body.polygons.size(); ++k) {
     const BodyPolygon& p = body.polygons[k];
-    if (!isIn(p.block)) continue;
-    if (const auto done = world.add(p.cell, std::span<const LocalPoint>(p.vertices), p.block); !done) {
+    const std::optional<Block> name = nameOf(k);
+    if (!name) continue;
+    if (const auto done = world.add(p.cell, std::span<const LocalPoint>(p.vertices), *name); !done) {
       Error error = done.error();
       error.index = static_cast<std::int32_t>(k);
       return tl::unexpected(error);
@@ -34,11 +37,14 @@ std::vector<Block> blocksOf(const Body& body) {
 }
 
 Expected<World> worldOf(const Body& body, Block block) {
-  return worldOfThose(body, World(), [block](Block b) { return b == block; });
+  return worldOfThose(body, World(), [&](std::size_t k) {
+    return body.polygons[k].block == block ? std::optional(block) : std::nullopt;
+  });
 }
 
-Expected<World> worldOf(const Body& body) {
-  return worldOfThose(body, World([](Block a, Block b) { return a != b; }), [](Block /*any*/) { return true; });
+Expected<World> worldOf(const Body& body, std::span<const Block> names) {
+  return worldOfThose(body, World([](Block a, Block b) { return a != b; }),
+                      [&](std::size_t k) { return std::optional(names[k]); });
 }
 
 }  // namespace lgs::detail

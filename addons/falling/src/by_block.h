@@ -3,6 +3,7 @@
 
 #include <lgs/body.h>
 
+#include <span>
 #include <vector>
 
 namespace lgs::detail {
@@ -13,7 +14,7 @@ std::vector<Block> blocksOf(const Body& body);
 /// The polygons that have a block, committed: the origin of the body is the corner of cell (0, 0).
 Expected<World> worldOf(const Body& body, Block block);
 
-/// All polygons; what lies between two blocks is kept.
-Expected<World> worldOf(const Body& body);
+/// All polygons, each with the name that is given for it as its block; what lies between two names is kept.
+Expected<World> worldOf(const Body& body, std::span<const Block> names);
 
 }  // namespace lgs::detail

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -54,6 +55,16 @@ constexpr std::uint64_t kFormat = 0x3164'6e72'6773'676c;  // "lgsgrnd1"
 
 DoublePoint inCells(Point p) {
   return {static_cast<double>(p.x) / kUnitsPerCell, static_cast<double>(p.y) / kUnitsPerCell};
+}
+
+/// Where it was in the world.
+CellRect cellsOf(const Body& body) {
+  std::optional<CellRect> cells;
+  for (const BodyPolygon& p : body.polygons) {
+    const Cell at{body.origin.i + p.cell.i, body.origin.j + p.cell.j};
+    cells = cells ? boxOf(*cells, {at, at}) : CellRect{at, at};
+  }
+  return cells.value_or(CellRect{body.origin, body.origin});
 }
 
 }  // namespace
@@ -116,6 +127,11 @@ std::optional<Rock> takeRock(std::span<const std::byte>& bytes) {
   for (double* const real : {&rock.placing.origin.x, &rock.placing.origin.y, &rock.placing.cosine, &rock.placing.sine,
                              &rock.velocity.x, &rock.velocity.y, &rock.spin})
     *real = in.real();
+  const auto& [origin, cosine, sine] = rock.placing;
+  for (const double real : {origin.x, origin.y, rock.velocity.x, rock.velocity.y, rock.spin})
+    if (!std::isfinite(real)) return std::nullopt;
+  if (!(std::abs(cosine * cosine + sine * sine - 1) < 1e-3)) return std::nullopt;
+  World alone;  // takes nothing that can not be ground
   Body& ground = rock.ground;
   const auto [i, j] = in.pair();
   ground.origin = {i, j};
@@ -133,12 +149,10 @@ std::optional<Rock> takeRock(std::span<const std::byte>& bytes) {
       return std::max(std::int64_t{index} + by, -(std::int64_t{index} + by)) <= kMaxCell;
     };
     if (!isNear(i, column) || !isNear(j, row)) return std::nullopt;
-    const Cell at{i + column, j + row};
-    if (ground.polygons.size() == 1) ground.cells = {at, at};
-    ground.cells = {{std::min(ground.cells.min.i, at.i), std::min(ground.cells.min.j, at.j)},
-                    {std::max(ground.cells.max.i, at.i), std::max(ground.cells.max.j, at.j)}};
+    if (!alone.add({i + column, j + row}, polygon.vertices, polygon.block)) return std::nullopt;
   }
   if (!in.isGood() || ground.polygons.empty()) return std::nullopt;
+  ground.cells = cellsOf(ground);
   ground.mass = massOf(ground.polygons);
   return rock;
 }
@@ -240,6 +254,53 @@ std::optional<LoadedGround> loadGround(std::span<const std::byte> bytes, const P
   if (!in.isGood() || !bytes.empty()) return std::nullopt;
   for (const auto& [corner, kept] : leave) shelf.put(corner, kept);
   return loaded;
+}
+
+Expected<RockInParts> RockInParts::of(Rock rock, const Placing& placing, std::size_t polygonsAtOnce) {
+  auto parts = partsAsTheyLie(rock.ground, placing, polygonsAtOnce);
+  if (!parts) return tl::unexpected(parts.error());
+  RockInParts made;
+  made.rock_ = std::move(rock);
+  made.placing_ = placing;
+  made.atOnce_ = polygonsAtOnce;
+  made.parts_ = std::move(*parts);
+  bool isFirst = true;
+  for (const std::vector<LyingBlock>& part : made.parts_)
+    for (const LyingBlock& one : part)
+      for (const Ring& ring : one.region.rings)
+        for (const Point p : ring) {
+          if (std::exchange(isFirst, false)) made.min_ = made.max_ = p;
+          made.min_ = {std::min(made.min_.x, p.x), std::min(made.min_.y, p.y)};
+          made.max_ = {std::max(made.max_.x, p.x), std::max(made.max_.y, p.y)};
+        }
+  return made;
+}
+
+Rock RockInParts::rest(std::size_t from) const {
+  if (from == 0) return rock_;
+  Rock rest{rock_.ground, placing_};
+  auto& polygons = rest.ground.polygons;
+  polygons.erase(polygons.begin(),
+                 polygons.begin() + static_cast<std::ptrdiff_t>(std::min(from * atOnce_, polygons.size())));
+  rest.ground.cells = cellsOf(rest.ground);
+  rest.ground.mass = massOf(polygons);
+  return rest;
+}
+
+bool RockInParts::isNear(const LoopFacts& loop) const {
+  return loop.min.x <= max_.x && min_.x <= loop.max.x && loop.min.y <= max_.y && min_.y <= loop.max.y;
+}
+
+CellRect RockInParts::chunks() const {
+  return boxOf(chunkAround(cellAt({min_.x - 1, min_.y - 1})), chunkAround(cellAt({max_.x + 1, max_.y + 1})));
+}
+
+Expected<void> RockInParts::put(World& world, std::size_t from, std::size_t to) const noexcept {
+  Transaction group = world.edit();
+  for (std::size_t part = from; part < to; ++part)
+    if (const auto done = putPart(world, parts_[part]); !done) return done;
+  group.keep();
+  return {};
 }
 
 NoPhysics::Handle NoPhysics::make(const Rock& rock) {

@@ -1,6 +1,5 @@
 #include "by_block.h"
 
-#include <lgs/brush.h>
 #include <lgs/falling.h>
 
 #include <algorithm>
@@ -16,21 +15,15 @@ Point placed(Point p, const Placing& placing) {
                        placing.origin.y + (placing.sine * x + placing.cosine * y)});
 }
 
-/// What a block of a body covers.
-struct Covered {
-  Block block = 0;
-  Region region;
-};
-
 /// The outline of each block by itself, turned and moved: holes run the other way around, so their count is 0. In a world
 /// that keeps what lies between two blocks both have the same vertices there: so rounding leaves no gap.
-std::vector<Covered> coveredBy(const World& world, const Placing& placing) {
+std::vector<LyingBlock> coveredBy(const World& world, const Placing& placing) {
   std::vector<Segment> edges;
   for (const SegmentId id : world.segments()) edges.push_back(*world.segment(id));
   const auto key = [](const Segment& s) { return std::tie(s.block, s.start); };
   std::ranges::sort(edges, {}, key);
   std::vector<bool> isTaken(edges.size());
-  std::vector<Covered> covered;
+  std::vector<LyingBlock> covered;
   for (std::size_t first = 0; first < edges.size(); ++first) {
     if (isTaken[first]) continue;
     const Block block = edges[first].block;
@@ -52,11 +45,40 @@ std::vector<Covered> coveredBy(const World& world, const Placing& placing) {
 
 }  // namespace
 
+// A part and a block have a name together, in this order. So what lies between two parts is kept, too.
+Expected<std::vector<std::vector<LyingBlock>>> partsAsTheyLie(const Body& body, const Placing& placing,
+                                                              std::size_t polygonsAtOnce) noexcept {
+  std::vector<std::pair<std::size_t, Block>> named;
+  for (std::size_t k = 0; k < body.polygons.size(); ++k) named.emplace_back(k / polygonsAtOnce, body.polygons[k].block);
+  std::vector<std::pair<std::size_t, Block>> known = named;
+  std::ranges::sort(known);
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  std::vector<Block> names;
+  for (const auto& name : named)
+    names.push_back(static_cast<Block>(std::ranges::lower_bound(known, name) - known.begin()));
+  const auto world = detail::worldOf(body, names);
+  if (!world) return tl::unexpected(world.error());
+  std::vector<std::vector<LyingBlock>> parts(named.empty() ? 0 : named.back().first + 1);
+  for (LyingBlock& one : coveredBy(*world, placing)) {
+    const auto& [part, block] = known[one.block];
+    parts[part].push_back({block, std::move(one.region)});
+  }
+  return parts;
+}
+
 Expected<void> putAsItLies(World& world, const Body& body, const Placing& placing) noexcept {
-  const auto blocks = detail::worldOf(body);
-  if (!blocks) return tl::unexpected(blocks.error());
+  const auto parts = partsAsTheyLie(body, placing, std::max<std::size_t>(body.polygons.size(), 1));
+  if (!parts) return tl::unexpected(parts.error());
   Transaction group = world.edit();
-  for (const auto& [block, region] : coveredBy(*blocks, placing))
+  for (const std::vector<LyingBlock>& part : *parts)
+    if (const auto done = putPart(world, part); !done) return done;
+  group.keep();
+  return {};
+}
+
+Expected<void> putPart(World& world, std::span<const LyingBlock> part) noexcept {
+  Transaction group = world.edit();
+  for (const auto& [block, region] : part)
     if (const auto done = paint(world, region, block, PaintMode::fill); !done) return tl::unexpected(done.error());
   group.keep();
   return {};

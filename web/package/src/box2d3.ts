@@ -81,6 +81,7 @@ class Edges extends Box2dBodies implements Adapter<ObjectId, Material> {
   }
 
   override isOwn(shape: ObjectId): boolean { return this.of(shape) !== null }
+  override ownBodyCount(): number { return this.#bodyCount }
   isAlone(): boolean { return this.bodyCount() <= this.#bodyCount }
 
   apply(changes: EdgeChanges): void {

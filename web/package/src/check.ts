@@ -37,6 +37,12 @@ export function object<T extends object>(name: string, wanted: string, value: T)
   return value
 }
 
+/** What a function of the game gives: no promise. */
+export function atOnce<T>(name: string, wanted: string, value: T): T {
+  if (typeof (value as PromiseLike<unknown> | null)?.then === 'function') throw bad(name, `${wanted}, and no promise,`, value)
+  return value
+}
+
 /** Options, all of them known: a word that is misspelt would say nothing. */
 export function options<T extends object>(name: string, known: readonly (keyof T & string)[], value: T): T {
   object(name, `{ ${known.join(', ')} }`, value)

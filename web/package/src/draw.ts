@@ -57,12 +57,11 @@ class Chunks {
   }
 }
 
-/** Refuses changes that do not follow what is drawn, and says whether there are any. */
-function follow(changes: Changes, version: Version, world: World): boolean {
-  if (object('changes', 'those of a commit', changes).before === changes.after) return false
+/** Refuses changes that do not follow what is drawn. */
+function follow(changes: Changes, version: Version, world: World): void {
+  void object('changes', 'those of a commit', changes).removed  // refused where they are not the last ones
   if (changes.before !== version || changes.after !== world.version)
     throw new LgsError('left-out', 'these changes do not follow those that were drawn: make it again, for all chunks')
-  return true
 }
 
 export class OutlineLines {
@@ -86,10 +85,11 @@ export class OutlineLines {
 
   /** The chunks that a commit or a roll-back changed. Give it each one's changes, in order, before the next commit. */
   update(changes: Changes): ChunkLines[] {
-    if (!follow(changes, this.#version, this.#world)) return []
-    this.#version = changes.after
+    follow(changes, this.#version, this.#world)
+    if (changes.before === changes.after) return []
     const touched = new Set<Chunk>()
-    const { removed, added: { id, cell }, relinked: { id: relinked } } = changes
+    const { removed, added: { id, cell }, relinked: { id: relinked }, after } = changes
+    this.#version = after
     for (let k = 0; k < removed.length; ++k) touched.add(this.#chunkOf[removed[k]!]!)
     for (let k = 0; k < relinked.length; ++k) touched.add(this.#chunkOf[relinked[k]!]!)
     for (let k = 0; k < id.length; ++k) touched.add(this.#note(id[k]!, cell[2 * k]!, cell[2 * k + 1]!))
@@ -154,7 +154,7 @@ export class GroundMeshes {
 
   /** The chunks that a commit or a roll-back changed. Give it each one's changes, in order, before the next edit. */
   update(changes: Changes): ChunkMesh[] {
-    if (object('changes', 'those of a commit', changes).before !== changes.after) follow(changes, this.#version, this.#world)
+    follow(changes, this.#version, this.#world)
     this.#version = changes.after
     // A block may have changed where no segment has.
     const { engine, address } = placeOf(this.#world)

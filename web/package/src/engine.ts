@@ -1,6 +1,6 @@
 // The instance of WebAssembly: there is one, for all worlds. Its functions take and return numbers; what is longer goes
 // through its memory. web/wasm/ is the other side.
-import { bad } from './check.js'
+import { atOnce } from './check.js'
 import { LgsError, engineError } from './error.js'
 import type { IslandCalls } from './island-calls.js'
 
@@ -237,10 +237,7 @@ export class Engine {
       let answer = ofA.get(b)
       if (answer === undefined) {
         ofA.set(b, false)  // what it is if preserve() throws
-        const said: unknown = preserve(a, b)
-        if (typeof (said as PromiseLike<unknown> | null)?.then === 'function')
-          throw bad('what preserve() gives', 'true or false', said)
-        ofA.set(b, (answer = Boolean(said)))
+        ofA.set(b, (answer = Boolean(atOnce('what preserve() gives', 'true or false', preserve(a, b)))))
       }
       return answer
     })
@@ -285,9 +282,12 @@ export class Engine {
   #tellOfPreserve(): never {
     const cause = this.#refusalOfPreserve!.error
     this.#refusalOfPreserve = null
-    throw new LgsError('preserve-failed', 'preserve() threw; the pair of blocks is cancelled from now on', { cause })
+    throw preserveFailed(cause)
   }
 }
+
+export const preserveFailed = (cause: unknown) =>
+  new LgsError('preserve-failed', 'preserve() threw; the pair of blocks is cancelled from now on', { cause })
 
 let current: Engine | null = null
 let starting: Promise<void> | null = null

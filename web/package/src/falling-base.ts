@@ -53,6 +53,8 @@ export interface Maker<Body> {
   make(place: Lies, parts: readonly FallingPart[], mass: FallingMass): Body | null
   placeOf(body: Body): Lies
   destroy(body: Body): void
+  /** Does work, all of it, even if a listener throws: that comes out at its end. */
+  whole<T>(work: () => T): T
 }
 
 /** The ground of one world that falls. What it makes is yours to move; call forget() when you destroy a body. */
@@ -61,7 +63,8 @@ export abstract class FallingBase<Body, Material> {
   readonly #islands: Islands
   readonly #density: (block: Block) => number
   readonly #maker: Maker<Body>
-  readonly #waiting: GroundBody[] = []
+  #waiting: GroundBody[] = []
+  #made: Falling<Body>[] = [] // and not yet told
   readonly #bodies = new Map<unknown, Falling<Body>>()
 
   protected constructor(terrain: TerrainBase<Body, any>, islands: Islands, options: FallingOptions<Material>, maker: Maker<Body>) {
@@ -88,16 +91,27 @@ export abstract class FallingBase<Body, Material> {
   /**
    * Call it after the sync of the commit that holds what was taken: so no body touches the ground that it was part of.
    * Makes the bodies, where their ground was and at rest. A part that is thinner than the slop of the physics engine gets
-   * no shape, and ground without any gets no body.
+   * no shape, and ground without any gets no body. If density() or material() throws for some, the others are made all the
+   * same: the next call tries these again, and returns all that are made then.
    */
   afterSync(): Falling<Body>[] {
-    const made: Falling<Body>[] = []
-    for (let ground = this.#waiting[0]; ground; ground = this.#waiting[0]) {
-      const falling = this.make(ground)
-      if (falling) made.push(falling)
-      this.#waiting.shift()
-    }
+    this.#maker.whole(() => this.#makeWaiting())
+    const made = this.#made
+    this.#made = []
     return made
+  }
+  #makeWaiting(): void {
+    const waiting = this.#waiting, thrown: unknown[] = []
+    this.#waiting = []
+    for (const ground of waiting)
+      try {
+        const falling = this.make(ground)
+        if (falling) this.#made.push(falling)
+      } catch (error) {
+        thrown.push(error)
+        this.#waiting.push(ground)
+      }
+    if (thrown.length > 0) throw thrown[0]
   }
 
   /**
@@ -111,12 +125,14 @@ export abstract class FallingBase<Body, Material> {
     const [x, y] = placeIn(at)
     const parts = this.#partsOf(ground), mass = this.#massOf(ground.polygons)
     if (parts.length === 0) return null
-    const body = this.#maker.make({ ...this.#terrain.position(x, y), angle: at.angle }, parts, mass)
-    if (body === null) return null
-    const falling = { body, ground }
-    this.#terrain.moved(body)
-    this.#bodies.set(this.#maker.keyOf(body), falling)
-    return falling
+    return this.#maker.whole(() => {
+      const body = this.#maker.make({ ...this.#terrain.position(x, y), angle: at.angle }, parts, mass)
+      if (body === null) return null
+      const falling = { body, ground }
+      this.#terrain.moved(body)
+      this.#bodies.set(this.#maker.keyOf(body), falling)
+      return falling
+    })
   }
 
   /** All bodies that there are. */

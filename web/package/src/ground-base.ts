@@ -5,15 +5,20 @@
 //  2. Matter is neither doubled nor lost. Undo over a take destroys the body, and the ground is back; undo over a settle
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo.
-//  4. What reaches the edge of memory is held. What is loose when it comes in falls. Undo and redo go on over chunks that
-//     left and came back. New land ends the redo.
+//  4. What reaches the edge of memory is held, unless `atEdge` is 'open'. What is loose when it comes in falls. Undo and redo
+//     go on over chunks that left and came back. New land ends the redo.
 //  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
-import { bad, options as known, within } from './check.js'
+//  6. A call that is refused has changed nothing, and one that is not is done, also where a function of the game throws that
+//     it asks (ground-asking.ts). None of these, and no listener of contacts, can change the ground meanwhile.
+import { atOnce, bad, options as known, within } from './check.js'
+import { preserveFailed } from './engine.js'
 import { LgsError } from './error.js'
-import { ChangedSquares, chunksAround, chunksIn, everywhere, isSame, keyOf, loadedGround, makeLand, savedGround, shelfInMemory, stream } from './ground-parts.js'
-import type { GroundDrawing, GroundOptions, Host, Motion, Rock, Shelf } from './ground-types.js'
+import { Asking } from './ground-asking.js'
+import { ChangedSquares, everywhere, loadedGround, savedGround } from './ground-parts.js'
+import type { GroundDrawing, GroundOptions, Host, Motion, Rock } from './ground-types.js'
+import { GroundWindow } from './ground-window.js'
 import { inspect, shown } from './inspect.js'
-import { Islands } from './island-view.js'
+import { Islands, refuseInTry } from './island-view.js'
 import type { GroundBody } from './island-types.js'
 import { circle } from './regions.js'
 import type { Block, CellRect, Changes, Mark, Region, Vertices, World, WorldOptions } from './types.js'
@@ -33,13 +38,12 @@ interface Fallen<Body> {
 }
 
 const atRest = ({ i, j }: GroundBody): Motion => ({ x: i, y: j, angle: 0, vx: 0, vy: 0, spin: 0 })
-const mostLand = 65_536
-const names = ['anchors', 'preserve', 'land', 'shelf', 'undoSteps', 'follow'] as const
+const names = ['anchors', 'atEdge', 'preserve', 'land', 'shelf', 'chunksAtOnce', 'undoSteps', 'follow'] as const
 
 export abstract class GroundBase<Body> {
+  protected readonly asking = new Asking()
   readonly #options: GroundOptions
   readonly #ofWorld: WorldOptions
-  readonly #shelf: Shelf
   readonly #undoSteps: number
   #world: World
   #islands: Islands
@@ -51,39 +55,73 @@ export abstract class GroundBase<Body> {
   #steps = 0                 // how often rocks could settle
   #next = 0                  // which of them looks first whether it can settle
   #looksAtAll = false        // something may hang in the air that no update will name
-  #isEditing = false
-  #window = everywhere
-  #made = new Map<string, { i: number; j: number }>() // chunks whose land was made
-  #newLand: { readonly chunk: CellRect; readonly at: number }[] = [] // of these, which an undo may take away, and after which mark
+  readonly #window: GroundWindow
   readonly #squares = new ChangedSquares()
 
   /** An empty ground. */
   protected constructor(options: GroundOptions) {
-    const { anchors, preserve, land, shelf = shelfInMemory(), undoSteps = 64, follow } = known('options', names, options)
-    for (const [name, f] of Object.entries({ land, follow, 'shelf.put': shelf?.put, 'shelf.get': shelf?.get }))
-      if (typeof f !== 'function' && (f !== undefined || name.startsWith('shelf'))) throw bad(name, 'a function', f)
-    this.#options = { ...(anchors && { anchors }), ...(land && { land }), ...(follow && { follow }) }
-    this.#ofWorld = preserve ? { preserve } : {}
-    this.#shelf = shelf
+    const { anchors, atEdge, preserve, undoSteps = 64, follow } = known('options', names, options)
+    if (follow !== undefined && typeof follow !== 'function') throw bad('follow', 'a function', follow)
+    this.#options = { ...(anchors && { anchors }), ...(atEdge && { atEdge }), ...(follow && { follow }) }
+    this.#ofWorld = typeof preserve === 'function' ? { preserve: this.#preserving(preserve) } : preserve === undefined ? {} : { preserve }
+    this.#window = new GroundWindow(options, this.#ofWorld, this.asking)
     this.#undoSteps = within('undoSteps', undoSteps, 0, 1e6)
     this.#world = createWorld(this.#ofWorld)
-    this.#islands = new Islands(this.#world, anchors)
+    try {
+      this.#islands = new Islands(this.#world, anchors, atEdge)
+    } catch (error) {
+      this.#world.free()
+      throw error
+    }
     this.#marks = [this.#world.mark()]
   }
 
   /** The constructors end with it. */
-  protected start(host: Host<Body>): void { this.#host = host }
+  protected start(make: () => Host<Body>): void {
+    try {
+      this.#host = make()
+    } catch (error) {
+      this.#islands.free()
+      this.#world.free()
+      throw error
+    }
+  }
+
+  #preserving(preserve: NonNullable<WorldOptions['preserve']>): NonNullable<WorldOptions['preserve']> {
+    const cancelled = new Set<string>()  // also in what is saved, and loaded again
+    return (smaller, greater) => this.asking.ask(() => {
+      if (cancelled.has(`${smaller} ${greater}`)) return false
+      try {
+        return atOnce('what preserve() gives', 'true or false', preserve(smaller, greater))
+      } catch (cause) {
+        cancelled.add(`${smaller} ${greater}`)
+        throw preserveFailed(cause)
+      }
+    }, false)
+  }
 
   get #live(): Host<Body> {
     if (this.#host === null) throw new LgsError('freed', 'this ground was freed')
     return this.#host
   }
-  /** What changes the ground begins with it. */
-  #begin(): Host<Body> {
-    if (this.#isEditing) throw new LgsError('busy', 'what edit() is given must edit the world, and nothing else')
-    const host = this.#live
-    host.refuseInStep()
-    return host
+  /** What changes the ground is done in it. */
+  #during<T>(change: (host: Host<Body>) => T): T {
+    return this.asking.during(() => {
+      const host = this.#live
+      host.refuseInStep()
+      refuseInTry(this.#islands)
+      return host.whole(() => {
+        this.#dropGone()
+        return change(host)
+      })
+    })
+  }
+  /** What the game destroyed is not ground any more. */
+  #dropGone(): void {
+    if (!this.#fallen.some(({ body }) => body !== null)) return
+    const host = this.#live, isThere = host.living()
+    for (const { body } of this.#fallen) if (body !== null && !isThere(body)) host.forget(body)
+    this.#fallen = this.#fallen.filter(({ body }) => body === null || isThere(body))
   }
 
   // --- Strokes
@@ -113,18 +151,13 @@ export abstract class GroundBase<Body> {
   /** Any edits, as one stroke, and what they give. If one of them throws nothing is changed. */
   edit<T>(edits: (world: World) => T): T {
     if (typeof edits !== 'function') throw bad('edits', 'a function', edits)
-    this.#begin()
-    let result: T
-    this.#isEditing = true
-    try {
-      result = group(this.#world, edits)
-    } finally {
-      this.#isEditing = false
-    }
-    this.#dropFuture()
-    this.#commit()
-    this.#mark()
-    return result
+    return this.#during(() => {
+      const result = group(this.#world, (world) => atOnce('what edits() gives', 'anything', edits(world)))
+      this.#dropFuture()
+      this.#commit()
+      this.#mark()
+      return result
+    })
   }
 
   /** Whether there is a stroke to take back. */
@@ -133,79 +166,60 @@ export abstract class GroundBase<Body> {
   get canRedo(): boolean { return this.#now + 1 < this.#oldest + this.#marks.length }
   /** Takes the last stroke back, and what fell or settled since. Whether there was one. */
   undo(): boolean {
-    this.#begin()
-    return this.canUndo && this.#go(this.#now - 1)
+    return this.#during(() => this.canUndo && this.#go(this.#now - 1))
   }
   /** Makes it again. Whether there was one. */
   redo(): boolean {
-    this.#begin()
-    return this.canRedo && this.#go(this.#now + 1)
+    return this.#during(() => this.canRedo && this.#go(this.#now + 1))
   }
   /** Releases all steps of undo, as after the game built a level. */
   forgetUndo(): void {
-    this.#begin()
-    this.#dropFuture()
-    while (this.canUndo) this.#forgetOldest()
+    this.#during(() => {
+      this.#dropFuture()
+      while (this.canUndo) this.#forgetOldest()
+    })
   }
 
   // --- Time
 
   /** A step of the physics, in seconds. Then at most one rock that rests becomes ground. */
   step(dt: number): void {
-    this.#begin().step(within('dt', dt, 0, 1e9))
-    if (!this.canRedo) this.#settleNext()
+    this.#during((host) => {
+      host.step(within('dt', dt, 0, 1e9))
+      this.#dropGone()
+      if (!this.canRedo) this.#settleNext()
+    })
   }
 
   // --- Space
 
   /**
    * The chunks with a cell of a rectangle are in memory from now on, and no others; until it is called the first time, all
-   * are. With `land` there is land there, and one chunk further. False, if the shelf did not give a chunk, or other bytes:
-   * it stays away, and the next call tries again. Undo and redo go on over it, but new land ends the redo. It costs
-   * nothing if the chunks are the same.
+   * are. With `land` there is land there, and one chunk further. False while that is not so, and the next call goes on:
+   * there are more than `chunksAtOnce`, or the shelf did not give a chunk, or other bytes. Undo and redo go on over it, but
+   * new land ends the redo. It costs nothing if the chunks are the same and all are there.
    */
   window(cells: CellRect): boolean {
-    const host = this.#begin(), chunks = chunksAround(cells)
-    if (isSame(chunks, this.#window)) return true
-    const { land } = this.#options, chunkCount = ((chunks.i1 - chunks.i0) / 32 + 3) * ((chunks.j1 - chunks.j0) / 32 + 3)
-    if (land && chunkCount > mostLand) throw bad('the window', `at most ${mostLand} chunks, of which land is made,`, cells)
-    this.#window = chunks
-    const unseen = land ? [...chunksIn(chunksAround(cells, 1))].filter(({ i0, j0 }) => !this.#made.has(keyOf(i0, j0))) : []
-    for (const chunk of unseen) this.#makeLand(chunk)
-    const isAll = stream(this.#world, chunks, this.#shelf)
-    if (!isAll) this.#window = { i0: 0, j0: 0, i1: -1, j1: -1 }
-    host.window(chunks)
-    this.#commit()
-    if (unseen.length > 0) this.#markLand()
-    return isAll
+    return this.#during((host) => {
+      const window = this.#window
+      if (!window.moveTo(cells)) return true
+      window.stream(this.#world, this.#now, this.#dropFuture)
+      host.window(window.cells, window.isWhole)
+      this.#commit()
+      this.#keepLand()
+      return window.isWhole
+    })
   }
 
-  /** What was marked last has the new land, too, unless something fell or settled since: so an undo to it takes none away. */
-  #markLand(): void {
+  /** Where nothing else has happened since the last mark, it is made anew behind the land: so undo does not take that away. */
+  #keepLand(): void {
     const now = this.#now
-    if (this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
+    if (!this.#window.hasNew(now) || this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
     const mark = this.#marks.pop()!
     this.#marks.push(this.#world.mark())
     this.#world.forget(mark)
-    this.#newLand = this.#newLand.map(({ chunk, at }) => ({ chunk, at: at === now ? now - 1 : at })).filter(({ at }) => at >= this.#oldest)
-  }
-
-  #makeLand(chunk: CellRect): void {
-    this.#dropFuture()
-    makeLand(this.#world, chunk, this.#options.land!, this.#ofWorld)
-    this.#made.set(keyOf(chunk.i0, chunk.j0), { i: chunk.i0, j: chunk.j0 })
-    this.#newLand.push({ chunk, at: this.#now })
-  }
-
-  /** An undo took away land that was made since; at that time nothing was dug there. */
-  #remakeLand(): void {
-    const again = this.#newLand.filter(({ at }) => at >= this.#now)
-    if (again.length === 0) return
-    this.#newLand = this.#newLand.filter(({ at }) => at < this.#now)
-    for (const { chunk } of again) this.#makeLand(chunk)
-    stream(this.#world, this.#window, this.#shelf)
-    this.#commit()
-    this.#markLand()
+    this.#window.keepNew(now)
+    this.#window.forgetBefore(this.#oldest)
   }
 
   // --- Saving
@@ -213,29 +227,32 @@ export abstract class GroundBase<Body> {
   /** All ground, in memory or on the shelf, and all rocks; no steps of undo. Refused as 'unloaded', if the shelf does not
    *  give a chunk. The bytes are those of lgs::Ground in C++. */
   save(): Uint8Array {
-    this.#begin()
-    const rocks = this.#inAir().map(({ ground, motion, body }) => ({ ground, motion: body === null ? motion : this.#live.motionOf(body) }))
-    return savedGround(this.#world, this.#shelf, rocks, [...this.#made.values()])
+    return this.#during((host) => {
+      const rocks = this.#inAir().map(({ ground, motion, body }) => ({ ground, motion: body === null ? motion : host.motionOf(body) }))
+      return savedGround(this.#world, this.#window.shelf, rocks, this.#window.land)
+    })
   }
 
   /** What was saved takes the place of all that is there. What hangs in the air falls. Throws 'not-a-snapshot', and nothing
    *  is changed, if these are not the bytes of a save. */
   load(saved: Uint8Array): void {
-    const host = this.#begin()
     if (!(saved instanceof Uint8Array)) throw bad('saved', 'a Uint8Array', saved)
-    const { world, rocks, land } = loadedGround(saved, this.#window, this.#shelf, this.#ofWorld)
+    this.#during((host) => this.#load(host, saved))
+  }
+  #load(host: Host<Body>, saved: Uint8Array): void {
+    void this.#world.version  // refused where the engine has ended
+    const { world, rocks, land, away } = loadedGround(saved, this.#window.cells, this.#ofWorld)
     world.commit()
     for (const each of this.#inAir()) this.#destroy(each)
     const old = this.#world, oldIslands = this.#islands
     this.#world = world
-    this.#islands = new Islands(world, this.#options.anchors)
+    this.#islands = new Islands(world, this.#options.anchors, this.#options.atEdge)
     this.#marks = [world.mark()]
     this.#oldest = this.#now = 0
-    this.#newLand = []
-    this.#made = new Map(land.map((corner) => [keyOf(corner.i, corner.j), corner]))
+    this.#window.restart(land, away)
     this.#squares.noteAll(old)
     this.#squares.noteAll(world)
-    host.window(this.#window)
+    host.window(this.#window.cells, false)
     this.hold(world, this.#islands)
     oldIslands.free()
     old.free()
@@ -259,19 +276,25 @@ export abstract class GroundBase<Body> {
   /** The rocks in the air, as they lie now. */
   rocks(): Rock<Body>[] {
     const host = this.#live
+    this.#dropGone()
     return this.#inAir().map(({ ground, body, motion }) => ({ ground, body, ...(body === null ? motion : host.motionOf(body)) }))
   }
 
   /** Puts a rock into the ground now, as it lies. False, and nothing has changed, where it does not fit. */
   settle(body: Body): boolean {
-    this.#begin()
-    return this.#settle(this.#find(body))
+    return this.#during(() => {
+      const rock = this.#find(body)
+      if (rock.body === null) throw bad('body', 'a body: this rock is too thin for one,', body)
+      return this.#settle(rock)
+    })
   }
   /** For a rock whose body the game destroyed, or keeps: it is not the ground's any more. */
   forget(body: Body): void {
-    const found = this.#find(body)
-    this.#fallen = this.#fallen.filter((each) => each !== found)
-    this.#live.forget(body)
+    this.#during((host) => {
+      const found = this.#find(body)
+      this.#fallen = this.#fallen.filter((each) => each !== found)
+      host.forget(body)
+    })
   }
   #find(body: Body): Fallen<Body> {
     const found = this.#inAir().find((each) => each.body === body)
@@ -287,13 +310,14 @@ export abstract class GroundBase<Body> {
   /** Gives all memory back; bodies and edges leave the physics world. A second call does nothing. */
   free(): void {
     if (this.#host === null) return
-    const host = this.#begin()
-    for (const each of this.#inAir()) this.#destroy(each)
-    host.free()
-    this.#islands.free()
-    this.#world.free()
-    this.#fallen = []
-    this.#host = null
+    this.#during((host) => {
+      for (const each of this.#inAir()) this.#destroy(each)
+      host.free()
+      this.#islands.free()
+      this.#world.free()
+      this.#fallen = []
+      this.#host = null
+    })
   }
   [Symbol.dispose](): void { this.free() }
   [inspect](): unknown {
@@ -307,7 +331,7 @@ export abstract class GroundBase<Body> {
     this.#live.show(changes)
     this.#islands.update(changes)
     this.#squares.noteChanges(this.#world)
-    this.#options.follow?.(this.#world, changes)
+    this.asking.ask(() => this.#options.follow?.(this.#world, changes), undefined)
   }
 
   /** With what falls by it. */
@@ -353,18 +377,20 @@ export abstract class GroundBase<Body> {
       const each = this.#fallen[this.#next++ % this.#fallen.length]!
       if (!each.isInAir || each.body === null || this.#steps < each.until || !this.#live.rests(each.body)) continue
       each.until = this.#steps + 60 * 2 ** Math.min(each.tries++, 6)
-      try {
-        this.#settle(each)
-      } catch (error) {  // a brush may be refused, as in a cell that is full to its limits
-        if (!(error instanceof LgsError)) throw error
-      }
+      this.#settle(each, true)
       return
     }
   }
 
-  #settle(each: Fallen<Body>): boolean {
+  /** By itself it does not where a brush is refused, as in a cell that is full to its limits. */
+  #settle(each: Fallen<Body>, isByItself = false): boolean {
     const { tries, until } = each, { x, y, angle } = this.#live.motionOf(each.body!)
-    if (!this.#live.settle(each.body!, each.ground)) return false
+    try {
+      if (!this.#live.settle(each.body!, each.ground)) return false
+    } catch (error) {
+      if (!isByItself || !(error instanceof LgsError) || error.code === 'out-of-memory' || error.code === 'crashed') throw error
+      return false
+    }
     Object.assign(each, { body: null, isInAir: false, settled: this.#now, motion: { x, y, angle, vx: 0, vy: 0, spin: 0 } })
     this.#dropFuture()
     const before = this.#fallen.length
@@ -387,14 +413,20 @@ export abstract class GroundBase<Body> {
       each.isInAir = false
       if (each.took >= to) each.motion = atRest(each.ground)
     }
+    if (this.#window.cells !== everywhere) this.#looksAtAll = true  // what held something may have left or come in since
     this.#show(changes)
     for (const each of this.#fallen) if (!each.isInAir && isThere(each)) this.#make(each)
-    this.#remakeLand()
+    if (this.#window.remakeLand(this.#world, to, this.#dropFuture)) {
+      this.#commit()
+      this.#keepLand()
+    } else if (!this.canRedo && this.#looksAtAll) {
+      this.#commit()
+    }
     return true
   }
 
   /** Before an edit is kept: what was undone can not come back, and what was made again stays. */
-  #dropFuture(): void {
+  readonly #dropFuture = (): void => {
     this.#marks.length = this.#now - this.#oldest + 1
     this.#fallen = this.#fallen.filter(({ isInAir, took }) => isInAir || took < this.#now)
     for (const each of this.#fallen) if (each.isInAir) each.settled = Infinity
@@ -410,6 +442,6 @@ export abstract class GroundBase<Body> {
     this.#world.forget(this.#marks.shift()!)
     ++this.#oldest
     this.#fallen = this.#fallen.filter(({ isInAir, settled }) => isInAir || settled >= this.#oldest)
-    this.#newLand = this.#newLand.filter(({ at }) => at >= this.#oldest)
+    this.#window.forgetBefore(this.#oldest)
   }
 }

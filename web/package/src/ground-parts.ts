@@ -1,5 +1,5 @@
 // What a Ground is made of: its window, its bytes, and what it draws.
-import { int32, rect } from './check.js'
+import { finite, int32, rect } from './check.js'
 import { LgsError } from './error.js'
 import { bodiesOf, numbersOf } from './ground-body.js'
 import type { GroundDrawing, Motion, Shelf } from './ground-types.js'
@@ -7,7 +7,7 @@ import { islandCalls } from './island-calls.js'
 import type { GroundBody } from './island-types.js'
 import { linesIn } from './lines.js'
 import type { CellRect, World, WorldOptions } from './types.js'
-import { createWorld, placeOf, worldOf } from './world.js'
+import { placeOf, worldOf } from './world.js'
 
 const farthest = 2 ** 30
 export const everywhere: CellRect = { i0: -farthest, j0: -farthest, i1: farthest, j1: farthest }
@@ -36,59 +36,17 @@ export function shelfInMemory(): Shelf {
   return { put: (i, j, bytes) => void chunks.set(keyOf(i, j), bytes), get: (i, j) => chunks.get(keyOf(i, j)) }
 }
 
-/** Those out of the window leave, those in it come back. False where the shelf did not give one, or other bytes. */
-export function stream(world: World, { i0, j0, i1, j1 }: CellRect, shelf: Shelf): boolean {
-  for (const away of [
-    { ...everywhere, j1: j0 - 1 }, { ...everywhere, j0: j1 + 1 },
-    { ...everywhere, j0, j1, i1: i0 - 1 }, { ...everywhere, j0, j1, i0: i1 + 1 }])
-    if (away.i0 <= away.i1 && away.j0 <= away.j1) for (const { i, j, bytes } of world.unload(away)) shelf.put(i, j, bytes)
-  for (let cell = world.firstUnloaded({ i0, j0, i1, j1 }); cell; cell = world.firstUnloaded({ i0, j0, i1, j1 })) {
-    const bytes = shelf.get(Math.max(cell.i & ~31, -farthest), Math.max(cell.j & ~31, -farthest))
-    if (!bytes) return false
-    try {
-      world.reload(bytes)
-    } catch (error) {
-      if (error instanceof LgsError) return false
-      throw error
-    }
-  }
-  return true
-}
-
-/** The land of a chunk that was never loaded. */
-export function makeLand(world: World, chunk: CellRect, make: (land: World, chunk: CellRect) => void, options: WorldOptions): void {
-  const land = createWorld(options)
-  try {
-    make(land, chunk)
-    const [made] = land.unload(chunk)
-    if (made === undefined || isReloaded(world, chunk, made.bytes)) return
-  } finally {
-    land.free()
-  }
-  world.reloadEmpty(chunk)  // where an undo went over it there is a chunk, which holds nothing
-  make(world, chunk)
-}
-
-function isReloaded(world: World, chunk: CellRect, bytes: Uint8Array): boolean {
-  if (world.firstUnloaded(chunk)) return false
-  try {
-    world.reload(bytes)
-    return true
-  } catch (error) {
-    if (error instanceof LgsError) return false
-    throw error
-  }
-}
-
 // --- Bytes: those of lgs::Ground in C++
 
 type Value = { readonly ground: GroundBody; readonly motion: Motion }
-type Corner = { readonly i: number; readonly j: number }
+export type Corner = { readonly i: number; readonly j: number }
 
 export interface Loaded {
   readonly world: World
   readonly rocks: Value[]
   readonly land: Corner[]
+  /** What is out of the window. */
+  readonly away: (Corner & { readonly bytes: Uint8Array })[]
 }
 
 /** All chunks of a world, those in memory and those on the shelf. */
@@ -101,13 +59,17 @@ export function savedGround(world: World, shelf: Shelf, rocks: readonly Value[],
     if (!bytes) throw new LgsError('unloaded', `the shelf does not give the chunk at cell (${i}, ${j})`, { cell: { i, j } })
     return bytes
   })
-  const numbers = [land.length, ...land.flatMap(({ i, j }) => [i, j]), rocks.length]
-  for (const { ground, motion: { x, y, angle, vx, vy, spin } } of rocks) {
-    const polygons = numbersOf(ground.polygons)
+  const numbers = [land.length]
+  for (const { i, j } of land) numbers.push(i, j)
+  numbers.push(rocks.length)
+  for (const { ground, motion } of rocks) {
+    const { x, y, angle, vx, vy, spin } = motion, polygons = numbersOf(ground.polygons)
+    for (const [name, value] of Object.entries({ x, y, angle, vx, vy, spin })) finite(`${name} of a rock`, value)
     numbers.push(x, y, Math.cos(angle), Math.sin(angle), vx, vy, spin, ground.i, ground.j, polygons.length)
     for (const number of polygons) numbers.push(number)
   }
-  numbers.push(away.length, ...away.flatMap(({ i, j }, k) => [i, j, chunks[k]!.length]))
+  numbers.push(away.length)
+  for (const [k, { i, j }] of away.entries()) numbers.push(i, j, chunks[k]!.length)
   const size = chunks.reduce((sum, { length }) => sum + length, 0), all = new Uint8Array(8 * numbers.length + size)
   new Float64Array(all.buffer, 0, numbers.length).set(numbers)
   let at = 8 * numbers.length
@@ -121,15 +83,16 @@ export function savedGround(world: World, shelf: Shelf, rocks: readonly Value[],
   return engine.answerBytes(count)
 }
 
-/** Reads that. What is out of the window goes onto the shelf. */
-export function loadedGround(saved: Uint8Array, window: CellRect, shelf: Shelf, options: WorldOptions): Loaded {
+/** Reads that. */
+export function loadedGround(saved: Uint8Array, window: CellRect, options: WorldOptions): Loaded {
   const { i0, j0, i1, j1 } = window, own = new Uint8Array(saved)
   const world = worldOf((engine, relation, isFloat) => {
     engine.putBytes(own)
     return islandCalls(engine).loadGround(own.length, relation, isFloat, i0, j0, i1, j1)
   }, options)
   const { engine } = placeOf(world), [count, size] = engine.answer(2) as unknown as [number, number]
-  const n = engine.answer(count).slice(), bytes = engine.answerBytes(size), land: Corner[] = [], rocks: Value[] = []
+  const n = engine.answer(count).slice(), bytes = engine.answerBytes(size)
+  const land: Corner[] = [], rocks: Value[] = [], away: Loaded['away'] = []
   let at = 2
   for (let left = n[at++]!; left > 0; --left) land.push({ i: n[at++]!, j: n[at++]! })
   for (let left = n[at++]!; left > 0; --left) {
@@ -140,10 +103,10 @@ export function loadedGround(saved: Uint8Array, window: CellRect, shelf: Shelf, 
   let begin = 0
   for (let left = n[at++]!; left > 0; --left) {
     const i = n[at++]!, j = n[at++]!, end = begin + n[at++]!
-    shelf.put(i, j, bytes.slice(begin, end))
+    away.push({ i, j, bytes: bytes.slice(begin, end) })
     begin = end
   }
-  return { world, rocks, land }
+  return { world, rocks, land, away }
 }
 
 // --- Drawing

@@ -1,5 +1,5 @@
 // What a Ground is set up by, and what it hands out. Lengths and positions are in cells, y up.
-import type { Anchors, GroundBody } from './island-types.js'
+import type { Anchors, AtEdge, GroundBody } from './island-types.js'
 import type { Block, CellRect, Changes, World, WorldOptions } from './types.js'
 
 /**
@@ -12,9 +12,16 @@ export interface Shelf {
   get(i: number, j: number): Uint8Array | null | undefined
 }
 
+/**
+ * What these functions throw comes out of the call that asked them, when that is done all the same: a pair of blocks whose
+ * preserve() throws is cancelled; a chunk whose land or bytes do not come is away, and what the shelf does not take is kept,
+ * until the next window(). They must not change the ground: that is refused as 'busy'.
+ */
 export interface GroundOptions {
   /** What holds an island: without it nothing ever falls. */
   readonly anchors?: Anchors
+  /** 'holds', if it is not given; with 'open' what no anchor in memory holds falls at the edge of memory. */
+  readonly atEdge?: AtEdge
   readonly preserve?: WorldOptions['preserve']
   /**
    * Makes the land of a chunk that was never loaded, when a window comes near it: with edits inside its cells alone,
@@ -23,6 +30,12 @@ export interface GroundOptions {
   readonly land?: (land: World, chunk: CellRect) => void
   /** Where chunks outside of the window are: in memory, if none is given. */
   readonly shelf?: Shelf
+  /**
+   * How many chunks window() makes, brings in and takes out in one call, at least one: all, if it is not given. So a game
+   * spreads over several frames what takes most of one. It then calls window() in each frame, and before it begins until
+   * that is true.
+   */
+  readonly chunksAtOnce?: number
   /** How many strokes can be undone: 64, if it is not given. */
   readonly undoSteps?: number
   /** Is notified of each commit, roll-back and redo, for further views. After a load() they begin again. */
@@ -66,6 +79,10 @@ export interface GroundDrawing {
 export interface Host<Body> {
   /** Throws where nothing can be changed now. */
   refuseInStep(): void
+  /** Does work, all of it, even if a listener throws: that comes out at its end. */
+  whole<T>(work: () => T): T
+  /** Which bodies the game has not destroyed. */
+  living(): (body: Body) => boolean
   /** After each commit and roll-back. */
   show(changes: Changes): void
   /** A body for a rock; null, if there can be none. */
@@ -78,8 +95,8 @@ export interface Host<Body> {
   destroy(body: Body): void
   /** The game's from now on. */
   forget(body: Body): void
-  /** These cells are in memory, and no others. */
-  window(cells: CellRect): void
+  /** These cells are in memory, as far as they came in yet, and no others. */
+  window(cells: CellRect, isWhole: boolean): void
   step(dt: number): void
   free(): void
 }

@@ -34,6 +34,8 @@ export class Islands extends Follower {
   #refuseInTry(): void {
     if (this.#isTrying) throw new LgsError('busy', 'what foresee() tries must only edit the world')
   }
+  /** For modules of this package. */
+  static refuseInTry(islands: Islands): void { islands.#refuseInTry() }
 
   override free(): void {
     this.#refuseInTry()
@@ -100,7 +102,11 @@ export class Islands extends Follower {
     uint32('id', id)
     const { call, view, world } = this.shown
     const count = call.takeIsland(view, world, id, isApart)
-    if (count === 0) throw this.from.failure()
+    if (count === 0) {
+      const error = this.from.failure()
+      throw error.code !== 'stale-handle' ? error
+        : new LgsError('stale-handle', 'this id names no island that can be taken: it was taken, or changed by a commit, or is not all in memory')
+    }
     return bodiesOf(this.from.answer(count))
   }
 
@@ -151,3 +157,5 @@ export class Islands extends Follower {
     if (!call.putAsItLies(world, count, ...lies)) throw this.from.failure()
   }
 }
+
+export const { refuseInTry } = Islands

@@ -16,9 +16,18 @@ interface Exports {
 }
 
 let oracle: Exports | null = null
+let starting: Promise<void> | null = null
 
-export async function start(compile: () => Promise<WebAssembly.Module>): Promise<void> {
-  if (oracle) return
+/** Unless it runs or starts already. Where that failed, or the engine stopped, it starts again. */
+export function start(compile: () => Promise<WebAssembly.Module>): Promise<void> {
+  starting ??= instantiate(compile).catch((error: unknown) => {
+    starting = null
+    throw error
+  })
+  return starting
+}
+
+async function instantiate(compile: () => Promise<WebAssembly.Module>): Promise<void> {
   const module = await compile(), closed = () => 8  // of WASI: "bad file number"; nothing prints
   const system = { wasi_snapshot_preview1: { fd_close: closed, fd_seek: closed, fd_write: closed } }
   const exports = (await WebAssembly.instantiate(module, system)).exports as unknown as Exports
@@ -48,7 +57,7 @@ function ask(what: 'answer' | 'outline' | 'check' | 'page', text: string, name: 
     return { isRight: said === 0, text: output }
   } catch (cause) {
     if (cause instanceof LgsError) throw cause
-    oracle = null
+    oracle = starting = null
     throw new LgsError('crashed', 'the engine or the reference stopped in this trace, or memory ran out; init() is needed', { cause })
   }
 }

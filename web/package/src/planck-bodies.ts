@@ -33,8 +33,37 @@ function overlaps(fixture: Fixture, { lowerBound: a, upperBound: b }: AABBValue)
 
 /** Of whichever copy of planck: what is needed of it is there. */
 export function isPhysics(physics: Physics): void {
-  const { createBody, on, queryAABB } = (physics ?? {}) as Physics
-  if ([createBody, on, queryAABB].some((f) => typeof f !== 'function')) throw bad('physics', 'a World of planck', physics)
+  const { createBody, on, publish, queryAABB } = (physics ?? {}) as Physics
+  if ([createBody, on, publish, queryAABB].some((f) => typeof f !== 'function')) throw bad('physics', 'a World of planck', physics)
+}
+
+const changing = new WeakSet<Physics>()
+
+/**
+ * Does all of some work, and then throws what a listener threw first. planck would stop where it is, between a body and its
+ * contacts or in a step, and what it leaves does not work any more.
+ */
+export function whole<T>(physics: Physics, work: () => T): T {
+  if (changing.has(physics)) return work()
+  const { publish } = physics, thrown: unknown[] = []
+  changing.add(physics)
+  physics.publish = (...told) => {
+    try {
+      return publish.apply(physics, told)
+    } catch (error) {
+      thrown.push(error)
+      return 0
+    }
+  }
+  let result: T
+  try {
+    result = work()
+  } finally {
+    changing.delete(physics)
+    physics.publish = publish
+  }
+  if (thrown.length > 0) throw thrown[0]
+  return result
 }
 
 const canOverlap = (body: Body) => body.isDynamic() && body.isActive()
@@ -50,6 +79,7 @@ export abstract class PlanckBodies implements OfPhysics<Body, Material> {
     this.rules = rules
   }
   abstract isOwn(fixture: Fixture): boolean
+  whole<T>(work: () => T): T { return whole(this.physics, work) }
 
   get slop(): number { return Settings.linearSlop }
   readonly epsilon = 2 ** -52

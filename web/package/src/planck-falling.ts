@@ -2,7 +2,7 @@
 import { type Body, type FixtureOpt, Polygon, Settings, Vec2, type World as Physics, WorldManifold } from 'planck'
 import { type Falling as FallingOf, FallingBase, type FallingMass, type FallingOptions as OptionsOf, type FallingPart, type Lies, type Maker } from './falling-base.js'
 import type { Islands } from './islands.js'
-import { isPhysics } from './planck-bodies.js'
+import { isPhysics, whole } from './planck-bodies.js'
 import type { PlanckTerrain } from './planck.js'
 
 export type FallingOptions = OptionsOf<FixtureOpt>
@@ -85,5 +85,6 @@ class InPlanck implements Maker<Body> {
   }
 
   placeOf(body: Body): Lies { return { ...body.getPosition(), angle: body.getAngle() } }
-  destroy(body: Body): void { this.#physics.destroyBody(body) }
+  whole<T>(work: () => T): T { return whole(this.#physics, work) }
+  destroy(body: Body): void { whole(this.#physics, () => this.#physics.destroyBody(body)) }
 }

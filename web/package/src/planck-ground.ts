@@ -1,12 +1,15 @@
 // The ground of a game with planck.
 import type { Body, World as Physics } from 'planck'
 import { GroundBase } from './ground-base.js'
+import { object, within } from './check.js'
+import type { Asking } from './ground-asking.js'
 import { contains, everywhere } from './ground-parts.js'
 import type { GroundOptions, Host, Motion } from './ground-types.js'
 import type { Islands } from './island-view.js'
 import type { GroundBody } from './island-types.js'
 import { FallingGround, type FallingOptions } from './planck-falling.js'
 import { PlanckTerrain, type TerrainOptions } from './planck.js'
+import { whole } from './planck-bodies.js'
 import type { CellRect, Changes, World } from './types.js'
 
 /**
@@ -21,12 +24,12 @@ import type { CellRect, Changes, World } from './types.js'
  *   for (const square of ground.draw()) repaint(square)          // what changed
  */
 export class Ground extends GroundBase<Body> {
-  readonly #host: InPlanck
+  #host!: InPlanck
 
+  /** Of what material() and density() throw the same is true as of the functions in GroundOptions: such a block is as without. */
   constructor(physics: Physics, options: GroundOptions = {}, terrain: TerrainOptions = {}, falling: FallingOptions = {}) {
     super(options)
-    this.#host = new InPlanck(physics, this.world, this.islands, terrain, falling)
-    this.start(this.#host)
+    this.start(() => (this.#host = new InPlanck(physics, this.world, this.islands, terrain, falling, this.asking)))
   }
 
   /** For questions such as what was hit; it is synced already. */
@@ -41,27 +44,44 @@ class InPlanck implements Host<Body> {
   readonly #ofFalling: FallingOptions
   #falling: FallingGround
   #window = everywhere
+  #world: World
+  #isWhole = true // whether all of the window is in memory
   #away = new Set<Body>() // out of the window, and disabled
 
-  constructor(physics: Physics, world: World, islands: Islands, terrain: TerrainOptions, falling: FallingOptions) {
+  constructor(physics: Physics, world: World, islands: Islands, terrain: TerrainOptions, falling: FallingOptions, asking: Asking) {
+    const isMaterial = (material: object) => object('what material() gives', 'an object', material)
     this.#physics = physics
-    this.#ofFalling = falling
-    this.terrain = new PlanckTerrain(physics, world, terrain)
-    this.#falling = new FallingGround(physics, this.terrain, islands, falling)
+    this.#world = world
+    this.#ofFalling = asking.in(asking.in(falling, 'material', {}, isMaterial),
+      'density', 1, (density: number) => within('a density', density, 0, Number.MAX_VALUE))
+    this.terrain = new PlanckTerrain(physics, world, asking.in(terrain, 'material', {}, isMaterial))
+    try {
+      this.#falling = new FallingGround(physics, this.terrain, islands, this.#ofFalling)
+    } catch (error) {
+      this.terrain.destroy()
+      throw error
+    }
   }
 
   hold(world: World, islands: Islands): void {
+    this.#world = world
     this.terrain.resync(world)
     this.#falling = new FallingGround(this.#physics, this.terrain, islands, this.#ofFalling)
   }
 
   refuseInStep(): void { this.terrain.refuseInStep() }
+  whole<T>(work: () => T): T { return whole(this.#physics, work) }
+  living(): (body: Body) => boolean {
+    const all = this.#all()
+    return (body) => all.has(body)
+  }
   show(changes: Changes): void { this.terrain.sync(changes) }
 
   make(ground: GroundBody, { x, y, angle, vx, vy, spin }: Motion): Body | null {
     const body = this.#falling.make(ground, { x, y, angle })?.body ?? null, { cellSize } = this.terrain
     body?.setLinearVelocity({ x: vx * cellSize, y: vy * cellSize })
     body?.setAngularVelocity(spin)
+    if (body && this.#isAway(body)) this.#disable(body)
     return body
   }
   motionOf(body: Body): Motion {
@@ -74,12 +94,14 @@ class InPlanck implements Host<Body> {
   forget(body: Body): void { this.#falling.forget(body) }
   destroy(body: Body): void {
     this.forget(body)
-    if (this.#all().has(body)) this.#physics.destroyBody(body)
+    this.#away.delete(body)
+    this.#physics.destroyBody(body)
   }
 
   /** Bodies come back before the ground that they were in is new: so law 13 holds for them. */
-  window(cells: CellRect): void {
+  window(cells: CellRect, isWhole: boolean): void {
     this.#window = cells
+    this.#isWhole = isWhole
     const all = this.#away.size > 0 ? this.#all() : this.#away
     for (const body of this.#away) {
       if (all.has(body) && this.#isAway(body)) continue
@@ -98,7 +120,10 @@ class InPlanck implements Host<Body> {
     this.#disableAway()
   }
 
-  free(): void { this.terrain.destroy() }
+  free(): void {
+    this.window(everywhere, true)
+    this.terrain.destroy()
+  }
 
   #all(): Set<Body> {
     const bodies = new Set<Body>()
@@ -107,14 +132,17 @@ class InPlanck implements Host<Body> {
   }
   #isAway(body: Body): boolean {
     const { x, y } = this.terrain.point(body.getWorldCenter())
-    return !contains(this.#window, x, y)
+    return !contains(this.#window, x, y) || (!this.#isWhole && this.#world.at(x, y).where === 'unloaded')
   }
   #disableAway(): void {
     if (this.#window === everywhere) return
     for (let body = this.#physics.getBodyList(); body; body = body.getNext()) {
       if (!body.isDynamic() || !body.isActive() || !this.#isAway(body)) continue
-      body.setActive(false)
-      this.#away.add(body)
+      this.#disable(body)
     }
+  }
+  #disable(body: Body): void {
+    body.setActive(false)
+    this.#away.add(body)
   }
 }

@@ -20,13 +20,14 @@ export interface Adapter<Body, Material> extends Physics<Body, Material> {
   clear(): void
   /** Bodies that reach into cells, but the terrain's. */
   bodiesIn(cells: CellRect): Body[]
+  /** Does work, all of it, even if a listener throws: that comes out at its end. */
+  whole<T>(work: () => T): T
 }
 
 export abstract class TerrainBase<Body, Material> {
   protected world: World
   protected readonly rules: TerrainRules<Material>
   protected readonly frame: Frame
-  protected readonly chunkCells: number
   readonly #onOverlap: OnOverlap
   #adapter!: Adapter<Body, Material>
   #bodies!: Bodies<Body, Material>
@@ -38,7 +39,6 @@ export abstract class TerrainBase<Body, Material> {
     const { cellSize, origin, chunkCells, merge, onOverlap, material } = checked(options, more)
     this.world = world
     this.frame = { cellSize, origin }
-    this.chunkCells = chunkCells
     this.#onOverlap = onOverlap
     this.rules = new TerrainRules(world, chunkCells, shortest / cellSize, merge, material)
   }
@@ -47,10 +47,15 @@ export abstract class TerrainBase<Body, Material> {
   protected start(adapter: Adapter<Body, Material>): void {
     this.#adapter = adapter
     this.#bodies = new Bodies(adapter, this.rules)
-    this.#during(() => {
-      this.rules.follow(this.world)
-      adapter.apply(this.rules.endAll())
-    })
+    try {
+      this.#during(() => {
+        this.rules.follow(this.world)
+        adapter.apply(this.rules.endAll())
+      })
+    } catch (error) {
+      this.#end()
+      throw error
+    }
   }
 
   get cellSize(): number { return this.frame.cellSize }
@@ -112,11 +117,11 @@ export abstract class TerrainBase<Body, Material> {
     if (this.#isSyncing) throw new LgsError('busy', 'the terrain is changing: a listener of contacts must not change it')
   }
 
-  #during(work: () => void): void {
+  #during<T>(work: () => T): T {
     this.refuseInStep()
     this.#isSyncing = true
     try {
-      work()
+      return this.#adapter.whole(work)
     } finally {
       this.#isSyncing = false
     }
@@ -131,7 +136,9 @@ export abstract class TerrainBase<Body, Material> {
   /** Takes everything out of the physics world. A second call does nothing. */
   destroy(): void {
     if (this.#isGone) return
-    this.refuseInStep()
+    this.#during(() => this.#end())
+  }
+  #end(): void {
     this.#isGone = true
     this.#adapter.clear()
     this.rules.drop()
@@ -141,9 +148,11 @@ export abstract class TerrainBase<Body, Material> {
 
   /** Between a commit and its sync(): which bodies the new ground would overlap, how deep, and their displacement. */
   overlapsWith(changes: Changes): Overlap<Body>[] {
-    if (!this.rules.fits(changes)) return []
-    const box = this.rules.begin('last')
-    return box === null ? [] : this.#asked.find(box)
+    return this.#during(() => {
+      if (!this.rules.fits(changes)) return []
+      const box = this.rules.begin('last')
+      return box === null ? [] : this.#bodies.find(box)
+    })
   }
 
   /** The bodies that the last sync() or resync() pushed or disabled. */

@@ -249,29 +249,25 @@ export class TerrainRules<Material> {
 
   /** Whether the change between begin() and end() overlaps a body of these forms; how deep, and the displacement. */
   overlap(forms: readonly Form<Material>[], tolerance: number): { depth: number; way: Point | null } | null {
-    const engine = this.#engine
-    if (!this.#ask(engine, forms, (numbers) => engine.call.overlap(this.#terrain, forms.length, numbers, tolerance))) return null
-    const [depth, isFree, x, y] = engine.answer(4) as unknown as [number, number, number, number]
+    if (!this.#ask(forms, ({ call }, numbers) => call.overlap(this.#terrain, forms.length, numbers, tolerance))) return null
+    const [depth, isFree, x, y] = this.#engine.answer(4) as unknown as [number, number, number, number]
     return { depth, way: isFree ? { x, y } : null }
   }
 
   /** The path of a disabled body out, where the last change has made room for it. */
   released(forms: readonly Form<Material>[], tolerance: number): Point | null {
-    const engine = this.#engine
-    if (!this.#ask(engine, forms, (numbers) => engine.call.released(this.#terrain, forms.length, numbers, tolerance))) return null
-    const [x, y] = engine.answer(2) as unknown as [number, number]
+    if (!this.#ask(forms, ({ call }, numbers) => call.released(this.#terrain, forms.length, numbers, tolerance))) return null
+    const [x, y] = this.#engine.answer(2) as unknown as [number, number]
     return { x, y }
   }
 
   leavesRoom(forms: readonly Form<Material>[], tolerance: number): boolean {
-    const engine = this.#engine
-    return this.#ask(engine, forms, (numbers) => engine.call.fits(this.#terrain, forms.length, numbers, tolerance)) !== 0
+    return this.#ask(forms, ({ call }, numbers) => call.fits(this.#terrain, forms.length, numbers, tolerance)) !== 0
   }
 
   /** Whether a centre came through ground on the path from the one place to the other. */
   crossed(before: readonly Form<Material>[], now: readonly Form<Material>[]): boolean {
-    const engine = this.#engine
-    return this.#ask(engine, [...before, ...now], (numbers) => engine.call.crossed(this.#terrain, now.length, numbers)) !== 0
+    return this.#ask([...before, ...now], ({ call }, numbers) => call.crossed(this.#terrain, now.length, numbers)) !== 0
   }
 
   /** For each point (x, y, x, y, … in cells) the block of the solid there; -1 for none. Valid until the next call. */
@@ -295,10 +291,11 @@ export class TerrainRules<Material> {
     return rings
   }
 
-  /** Repeats until the materials of all blocks that were met are known: material() can not be called in between. */
-  #ask(engine: Engine, forms: readonly Form<Material>[], question: (numbers: number) => number): number {
+  /** Repeats until the materials of all blocks that were met are known: material() is called in between, and may free the world. */
+  #ask(forms: readonly Form<Material>[], question: (engine: Engine, numbers: number) => number): number {
     const numbers = numbersOf(forms), unknown = new Set<Block>()
     for (;;) {
+      const engine = this.#engine
       unknown.clear()
       engine.holds = (form, block) => {
         const material = this.#materials.get(block)
@@ -306,7 +303,7 @@ export class TerrainRules<Material> {
         return material === undefined || forms[form]!.holds(material)
       }
       engine.put(numbers)
-      const answer = question(numbers.length)
+      const answer = question(engine, numbers.length)
       if (unknown.size === 0) return answer
       for (const block of unknown) this.materialOf(block)
     }

@@ -101,7 +101,7 @@ class EngineWorld implements World {
     }
   }
   #refuseInGroup(): void {
-    if (this.#isInGroup) throw new LgsError('busy', 'what is one stroke must only edit the world')
+    if (this.#isInGroup) throw new LgsError('busy', 'what is one stroke must only edit the world, and its chunks that are in memory')
   }
 
   /** The id of its so and so manyth shape. */
@@ -187,7 +187,10 @@ class EngineWorld implements World {
     this.#refuseInGroup()
     return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.commit(world)))
   }
-  mark(): Mark { return this.#call.mark(this.#live) }
+  mark(): Mark {
+    this.#refuseInGroup()
+    return this.#call.mark(this.#live)
+  }
   rollBack(mark: Mark, undone: 'drop' | 'keep' = 'drop'): Changes {
     if (undone !== 'drop' && undone !== 'keep') throw bad('undone', "'drop' or 'keep'", undone)
     return this.#roll(mark, undone === 'keep' ? 1 : 0)
@@ -198,7 +201,10 @@ class EngineWorld implements World {
     whole('mark', mark)
     return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.roll(world, mark, way)))
   }
-  forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, whole('mark', mark)), 0) }
+  forget(mark: Mark): void {
+    this.#refuseInGroup()
+    this.#orFail(this.#call.forget(this.#live, whole('mark', mark)), 0)
+  }
 
   /** Where the lists are that a call makes. If preserve() throws the call has made them none the less. */
   #made(lists: Lists, call: (world: number) => number): number {
@@ -214,6 +220,7 @@ class EngineWorld implements World {
   // --- Chunks that leave memory and come back
 
   unload(cells: CellRect): UnloadedChunk[] {
+    this.#refuseInGroup()
     const { i0, j0, i1, j1 } = rect(cells)
     const count = this.#orFail(this.#call.unload(this.#live, i0, j0, i1, j1), -1)
     const bytes = this.#engine.answerBytes(count), chunks: UnloadedChunk[] = []
@@ -224,6 +231,7 @@ class EngineWorld implements World {
     return chunks
   }
   reload(chunk: Uint8Array): { i: number; j: number } {
+    this.#refuseInGroup()
     if (!(chunk instanceof Uint8Array)) throw bad('chunk', 'a Uint8Array', chunk)
     const own = new Uint8Array(chunk)
     this.#engine.putBytes(own)
@@ -231,6 +239,7 @@ class EngineWorld implements World {
     return this.#place()
   }
   reloadEmpty(cells: CellRect): number {
+    this.#refuseInGroup()
     const { i0, j0, i1, j1 } = rect(cells)
     return this.#orFail(this.#call.reloadEmpty(this.#live, i0, j0, i1, j1), -1)
   }

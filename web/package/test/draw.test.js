@@ -153,7 +153,21 @@ test('meshes: when they can be made, and changes that were left out', () => {
   world.commit()
   world.add(2, 0, square, 1)
   assert.throws(() => ground.update(world.commit()), ({ code }) => code === 'left-out')
+  assert.throws(() => ground.update(world.commit()), ({ code }) => code === 'left-out', 'also where nothing was done since')
   world.free()
+})
+
+test('changes that are not the last ones are refused, and not taken for drawn', () => {
+  for (const View of [OutlineLines, GroundMeshes]) {
+    const world = createWorld(), square = world.shape(unitSquare), view = new View(world)
+    world.add(40, 0, square, 1)
+    const changes = world.commit()
+    world.commit()
+    for (let k = 0; k < 2; ++k) assert.throws(() => view.update(changes), ({ code }) => code === 'stale-list')
+    world.add(0, 0, square, 1)
+    assert.throws(() => view.update(world.commit()), ({ code }) => code === 'left-out')
+    world.free()
+  }
 })
 
 test('a polygon with a bay, and lines across a wide rectangle', () => {

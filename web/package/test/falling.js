@@ -182,4 +182,28 @@ export function testFalling(engine) {
     areas().forEach((area, n) => assert.ok(Math.abs(area - was[n]) < 0.02, `${area} of ${was[n]}`))
     end()
   })
+
+  test('a density that throws: the other bodies are made, and this one later', () => {
+    const world = createWorld()
+    for (const [i, block] of [[0, iron], [3, 1], [6, 1]]) world.add(i, 5, world.shape(unitSquare), block)
+    world.commit()
+    const physics = engine.makePhysics(), terrain = engine.makeTerrain(physics, world, {}), islands = new Islands(world)
+    let isIn = true
+    const falling = engine.makeFalling(physics, terrain, islands, { density: (block) => { if (isIn && block === iron) throw new Error('no'); return 1 } })
+    const all = islands.all()
+    for (const id of all) falling.takeAsBody(id)
+    assert.throws(() => falling.takeAsBody(all[0]), /names no island that can be taken/)
+    islands.update(terrain.commit())
+    for (let k = 0; k < 2; ++k) {
+      assert.throws(() => falling.afterSync(), { message: 'no' })
+      assert.equal(falling.bodies.length, 2)
+    }
+    isIn = false
+    assert.equal(falling.afterSync().length, 3, 'those that were made are told')
+    assert.deepEqual(falling.afterSync(), [])
+    terrain.destroy()
+    engine.destroy(physics)
+    islands.free()
+    world.free()
+  })
 }

@@ -9,38 +9,10 @@ import fc from 'fast-check'
 import { Circle, World as Physics } from 'planck'
 import { createWorld, Ground, init, Islands, LgsError, unitSquare } from 'localgridseg/islands'
 import { linesIn } from 'localgridseg/draw'
-import { Ground as PlanckGround, PlanckTerrain } from 'localgridseg/planck'
+import { Ground as PlanckGround } from 'localgridseg/planck'
+import { anchors, areaOf, bedrock, land, matterOf, pillar, refuses, solidOf, square, steps, withPlanck } from './ground.js'
 
 before(() => init())
-
-const bedrock = 9
-const anchors = { blocks: [bedrock] }
-const square = [0, 0, 1, 0, 1, 1, 0, 1]
-const refuses = (code, call) => assert.throws(call, (error) => error instanceof LgsError && error.code === code)
-
-const areaOf = (polygons) => polygons.reduce((sum, { vertices: v }) => {
-  for (let k = 0; k < v.length; k += 2) sum += (v[k] * v[(k + 3) % v.length] - v[k + 1] * v[(k + 2) % v.length]) / 2
-  return sum
-}, 0)
-/** Of the ground in memory and of the rocks. */
-const matterOf = (ground) => areaOf(ground.world.polygons()) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
-const solidOf = (world, cells) => world.polygons(cells).map(({ i, j, block, vertices }) => `${i} ${j} ${block} ${vertices.join()}`).sort()
-
-/** A floor of bedrock, a pillar, and an arm on it. */
-function pillar(ground) {
-  ground.edit((world) => {
-    world.fill({ i0: -10, j0: -1, i1: 20, j1: -1 }, world.shape(unitSquare), bedrock)
-    world.fill({ i0: 0, j0: 0, i1: 0, j1: 3 }, world.shape(unitSquare), 1)
-    world.fill({ i0: 1, j0: 3, i1: 4, j1: 3 }, world.shape(unitSquare), 2)
-  })
-  ground.forgetUndo()
-  return ground
-}
-function withPlanck(options = {}, terrain = {}) {
-  const physics = new Physics({ gravity: { x: 0, y: -10 } })
-  return { physics, ground: new PlanckGround(physics, { anchors, ...options }, terrain, { density: () => 2 }) }
-}
-const steps = (ground, count) => { for (let k = 0; k < count; ++k) ground.step(1 / 60) }
 
 test('what is cut off falls, becomes ground, and comes back with undo; matter is not doubled', () => {
   const { physics, ground } = withPlanck({}, { cellSize: 0.5 })
@@ -150,13 +122,15 @@ test('a stroke that is refused changes nothing, and leaves the redo', () => {
 
 test('words that are misspelt, and what is not of planck, are refused with a sentence', () => {
   const physics = new Physics()
-  assert.throws(() => new Ground({ anchor: {} }), /options has no 'anchor', but anchors, preserve, land/)
+  assert.throws(() => new Ground({ anchor: {} }), /options has no 'anchor', but anchors, atEdge, preserve, land/)
   assert.throws(() => new PlanckGround(physics, {}, { celSize: 3 }), /options has no 'celSize', but cellSize/)
   assert.throws(() => new PlanckGround({}, {}), /physics must be a World of planck/)
   assert.throws(() => new PlanckGround(physics, {}, {}, { densty: 1 }), /options has no 'densty'/)
   refuses('bad-argument', () => new Ground({ shelf: {} }))
   refuses('bad-argument', () => new Ground({ land: 3 }))
   refuses('bad-argument', () => new Ground({ undoSteps: -1 }))
+  refuses('bad-argument', () => new Ground({ atEdge: 'shut' }))
+  refuses('bad-argument', () => new Ground({ chunksAtOnce: 0 }))
 })
 
 test('in a step of the physics nothing changes', () => {
@@ -200,13 +174,6 @@ test('saved and loaded with a rock in the air, which goes on as it was', () => {
   ground.free()
   twin.free()
 })
-
-/** Hills that go on for ever, with bedrock below. */
-const land = (world, { i0, j0, i1, j1 }) => {
-  const shape = world.shape(unitSquare)
-  for (let i = i0; i <= i1; ++i)
-    for (let j = Math.max(j0, -40); j <= Math.min(j1, 3 + Math.floor(3 * Math.sin(i / 5))); ++j) world.add(i, j, shape, j === -40 ? bedrock : 1)
-}
 
 test('a window streams over land and shelf; what was dug is there again, and the undo outlives it', () => {
   const shelf = new Map(), told = []
@@ -308,6 +275,58 @@ test('bodies wait where their ground is not in memory', () => {
   ground.free()
 })
 
+test('one chunk at once: a window comes in over several calls, and bodies wait for it', () => {
+  const shelf = new Map(), moved = { in: 0, out: 0 }
+  const { physics, ground } = withPlanck({
+    land, chunksAtOnce: 1,
+    shelf: { put: (i, j, bytes) => { ++moved.out; shelf.set(`${i},${j}`, bytes) }, get: (i, j) => { ++moved.in; return shelf.get(`${i},${j}`) } },
+  })
+  const at = (i) => ({ i0: i, j0: -30, i1: i + 60, j1: 20 }), bring = (cells) => {
+    let calls = 1
+    for (Object.assign(moved, { in: 0, out: 0 }); !ground.window(cells); ++calls) {
+      assert.ok(moved.in + moved.out <= 2 * calls, `${moved.in} came and ${moved.out} left in ${calls} calls`)
+      assert.ok(calls < 200)
+    }
+    return calls
+  }
+  assert.ok(bring(at(0)) > 6)
+  const ball = physics.createBody({ type: 'dynamic', position: { x: 1.5, y: 9 } })
+  ball.createFixture(new Circle(0.3), { density: 1 })
+  steps(ground, 200)
+  bring(at(200))
+  assert.ok(!ball.isActive())
+  ground.window(at(0))  // it does not come in at once
+  const { y } = ball.getPosition()
+  for (let k = 0; k < 60 && ground.world.at(1.5, 0.5).where === 'unloaded'; ++k) {
+    steps(ground, 10)
+    assert.deepEqual([ball.isActive(), ball.getPosition().y], [false, y])
+    ground.window(at(0))
+  }
+  bring(at(0))
+  assert.ok(ball.isActive())
+  steps(ground, 60)
+  assert.ok(Math.abs(ball.getPosition().y - y) < 0.1, 'it lies where it lay')
+  physics.destroyBody(ball)
+  ground.free()
+})
+
+test('at an edge of memory that is open falls what no anchor in memory holds', () => {
+  const column = (i0, i1) => ({ i0, j0: -5, i1, j1: 20 })
+  for (const [atEdge, count] of [['holds', 0], ['open', 1]]) {
+    const ground = pillar(new Ground({ anchors, atEdge }))
+    ground.edit((world) => {
+      world.fill({ i0: -60, j0: 10, i1: 40, j1: 10 }, world.shape(unitSquare), 3)
+      world.fill({ i0: 40, j0: 0, i1: 40, j1: 9 }, world.shape(unitSquare), bedrock)
+    })
+    assert.deepEqual(ground.rocks(), [])
+    ground.window(column(0, 30))  // what holds it leaves
+    assert.equal(ground.rocks().length, count)
+    assert.ok(ground.undo())
+    assert.deepEqual([ground.rocks().length, ground.world.at(5.5, 10.5).where], [0, 'outside'])
+    ground.free()
+  }
+})
+
 test('only the squares that look different are drawn', () => {
   const ground = pillar(new Ground({ anchors }))
   const picture = new Map(), paint = () => {
@@ -374,16 +393,16 @@ function assertFollows(ground) {
     const look = new Islands(anew, anchors)
     const facts = (all) => all.all().map((id) => JSON.stringify({ ...all.island(id), id: 0 })).sort()
     assert.deepEqual(facts(islands), facts(look))
-    if (!ground.canRedo) assert.ok(islands.all().every((id) => islands.island(id).anchors > 0), 'nothing hangs in the air')
     look.free()
     anew.free()
   }
+  if (!ground.canRedo) assert.ok(islands.all().every((id) => islands.island(id).anchors > 0), 'nothing hangs in the air')
   if (terrain) assert.ok(Array.from(world.segments().id).every((id) => terrain.segment(terrain.fixture(id)) === id))
 }
 
 function play(game, make, hasLand) {
   const ground = make()
-  if (hasLand) ground.window(here)
+  if (hasLand) while (!ground.window(here)) continue
   else pillar(ground)
   const matter = () => areaOf(ground.world.polygons(here)) + ground.rocks().reduce((sum, { ground: { mass } }) => sum + mass.area, 0)
   const look = () => (ground.world.firstUnloaded(here) === null ? { solid: solidOf(ground.world, here), matter: matter() } : null)
@@ -420,9 +439,9 @@ function play(game, make, hasLand) {
 
 /** Law 13 over land that streams: whose middle was free is free, or is disabled where it was; none moves where no ground is. */
 test('any game with planck, with balls over land that streams', () => {
-  fc.assert(fc.property(calls, fc.array(fc.tuple(fc.integer({ min: -60, max: 90 }), fc.integer({ min: 9, max: 16 }), fc.boolean()), { minLength: 1, maxLength: 6 }), (game, places) => {
-    const { physics, ground } = withPlanck({ land }), { terrain } = ground
-    ground.window(here)
+  fc.assert(fc.property(calls, fc.array(fc.tuple(fc.integer({ min: -60, max: 90 }), fc.integer({ min: 9, max: 16 }), fc.boolean()), { minLength: 1, maxLength: 6 }), fc.constantFrom(1, Infinity), (game, places, chunksAtOnce) => {
+    const { physics, ground } = withPlanck({ land, chunksAtOnce }), { terrain } = ground
+    while (!ground.window(here)) continue
     const balls = places.map(([x, y, isOff]) => {
       const body = physics.createBody({ type: 'dynamic', position: { x: x + 0.5, y: y + 0.5 }, active: !isOff })
       body.createFixture(new Circle(0.3), { density: 1 })
@@ -456,5 +475,7 @@ test('any game with planck, with balls over land that streams', () => {
 })
 
 for (const [name, make, runs, hasLand] of [['without physics', () => new Ground({ anchors }), 100], ['with planck', () => withPlanck().ground, 80],
-  ['over land that streams', () => new Ground({ anchors, land }), 60, true]])
+  ['over land that streams', () => new Ground({ anchors, land }), 60, true],
+  ['over land that comes in one by one', () => new Ground({ anchors, land, chunksAtOnce: 1 }), 40, true],
+  ['over land whose edge is open', () => new Ground({ anchors, land, atEdge: 'open' }), 40, true]])
   test(`any game ${name}`, () => { fc.assert(fc.property(calls, (game) => play(game, make, hasLand)), { numRuns: runs }) })

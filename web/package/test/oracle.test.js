@@ -13,7 +13,17 @@ import { lgs, skip } from './lgs.js'
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url))
 const folder = mkdtempSync(join(tmpdir(), 'lgs-oracle-'))
-before(() => init())
+before(async () => {
+  const { instantiate } = WebAssembly
+  let count = 0
+  WebAssembly.instantiate = (...all) => {
+    ++count
+    return instantiate(...all)
+  }
+  await Promise.all([init(), init()])
+  WebAssembly.instantiate = instantiate
+  assert.equal(count, 1, 'two at once are one')
+})
 after(() => rmSync(folder, { recursive: true }))
 
 const traces = ['proptests/regressions', 'docs/departures', 'docs'].flatMap((part) =>

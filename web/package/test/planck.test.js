@@ -262,3 +262,54 @@ test('material() may use the package, and make its memory grow', () => {
   const terrain = new PlanckTerrain(new Physics(gravity), world, { material })
   for (let segment = 1; segment <= world.maxSegmentId; ++segment) assert.ok(terrain.fixture(segment))
 })
+
+test('a listener that throws while the terrain changes: all of it changes, and then its error comes', () => {
+  const world = floor(12), physics = new Physics({ gravity }), terrain = new PlanckTerrain(physics, world)
+  const ball = physics.createBody({ type: 'dynamic', position: { x: 4.5, y: 1.4 } })
+  ball.createFixture(new Circle(0.4), { density: 1 })
+  for (let k = 0; k < 20; ++k) physics.step(1 / 60)
+  for (const name of ['end-contact', 'remove-fixture', 'add-fixture', 'remove-body']) {
+    const listener = () => { throw new Error(name) }
+    physics.on(name, listener)
+    const cells = name === 'remove-body' ? [0, 0, 11, 0] : [4, 0, 4, 0]
+    world.clear({ i0: cells[0], j0: 0, i1: cells[2], j1: 0 })
+    assert.throws(() => terrain.commit(), { message: name })
+    physics.off(name, listener)
+    const isThere = () => assert.ok(Array.from(world.segments().id).every((id) => terrain.segment(terrain.fixture(id)) === id))
+    isThere()
+    world.fill({ i0: cells[0], j0: 0, i1: cells[2], j1: 0 }, world.shape(unitSquare), 1)
+    terrain.commit()
+    isThere()
+    ball.setTransform({ x: 4.5, y: 1.4 }, 0)
+    ball.setAwake(true)
+    for (let k = 0; k < 20; ++k) physics.step(1 / 60)
+  }
+  physics.on('end-contact', () => { throw new Error('at the end') })
+  assert.throws(() => terrain.destroy(), { message: 'at the end' })
+  assert.equal(physics.getBodyCount(), 1)
+  assert.throws(() => new PlanckTerrain(physics, world, { material: () => { throw new Error('no material') } }), { message: 'no material' })
+  assert.equal(physics.getBodyCount(), 1)
+  world.free()
+})
+
+test('what a material does while a terrain asks for it: nothing to this terrain, and a world that it frees is freed', () => {
+  for (const [act, code] of [['free', 'freed'], ['destroy', 'busy'], ['resync', 'busy']]) {
+    const world = floor(4), other = floor(4), physics = new Physics({ gravity })
+    let isAsked = false
+    const terrain = new PlanckTerrain(physics, world, { material: (block) => {
+      if (block !== 7) return {}
+      isAsked = true
+      act === 'free' ? world.free() : act === 'destroy' ? terrain.destroy() : terrain.resync(other)
+      return {}
+    } })
+    const ball = physics.createBody({ type: 'dynamic', position: { x: 1.5, y: 0.5 } })
+    ball.createFixture(new Circle(0.2))
+    world.clear(1, 0)
+    world.add(1, 0, world.shape(unitSquare), 7)
+    const changes = world.commit()
+    assert.throws(() => terrain.overlapsWith(changes), (error) => error.code === code)
+    assert.ok(isAsked)
+    other.free()
+    world.free()
+  }
+})

@@ -10,8 +10,10 @@
 #pragma once
 
 #include <lgs/body.h>
+#include <lgs/brush.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace lgs {
@@ -44,5 +46,21 @@ struct Placing {
 /// edit, or nothing. Refused: as by paint(), for a block of it; or as by put(), for a body that fits nowhere. Cost: as of
 /// paint(), for each block.
 [[nodiscard]] Expected<void> putAsItLies(World& world, const Body& body, const Placing& placing) noexcept;
+
+/// What a block of a body covers, as it lies.
+struct LyingBlock {
+  Block block = 0;  ///< what it is of
+  Region region;    ///< in lattice units of the world
+};
+
+/// The same in parts, to be put one after the other in several frames, as a body of hundreds of polygons takes
+/// milliseconds: so many polygons each (1 or more), in the order of the body. All of them make up what putAsItLies()
+/// paints; edges between two parts stay shared. Refused: as by put(), for a body that fits nowhere. Cost: O(n log n) for
+/// its vertices.
+[[nodiscard]] Expected<std::vector<std::vector<LyingBlock>>> partsAsTheyLie(const Body& body, const Placing& placing,
+                                                                            std::size_t polygonsAtOnce) noexcept;
+
+/// Paints a part, as one edit, or nothing. Refused: as by paint(). Cost: as of paint(), for each block.
+[[nodiscard]] Expected<void> putPart(World& world, std::span<const LyingBlock> part) noexcept;
 
 }  // namespace lgs

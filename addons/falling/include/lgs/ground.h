@@ -27,7 +27,9 @@
 //     next stroke lets them.
 //  4. What reaches the edge of memory is anchored (kBeyond in islands.h), unless GroundOptions::atEdge is `open`. What
 //     is loose when it comes in falls. Undo and redo go on over chunks that left and came back. New land ends the redo.
-//  5. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
+//  5. A rock of more than GroundOptions::settleAtOnce polygons becomes ground in several frames. Until it is done its
+//     body stands still, whole; forEachRock() has what is not ground yet, and in a save all of it is ground.
+//  6. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
 //
 // Costs: a stroke as of its edit, commit, the islands and the sync; an undo as of the strokes undone. A Ground stays
 // where it is, and so does what it is made with.
@@ -39,6 +41,7 @@
 #include <cassert>
 #include <deque>
 #include <limits>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -108,7 +111,7 @@ class Ground {
 
   // --- Time
 
-  /// A step of the physics. Then at most one rock that rests becomes ground.
+  /// A step of the physics. Then at most one rock that rests becomes ground, or a part of it.
   template <class Step>
   void step(const Step& step) {
     host_.beforeStep();
@@ -142,10 +145,18 @@ class Ground {
 
   // --- Saving
 
-  /// All ground, in memory or on the shelf, and all rocks; no steps of undo. Refused: unloaded, where the shelf did not
-  /// give a chunk. Cost: a copy of what is in memory, and each chunk on the shelf once.
+  /// All ground, in memory or on the shelf, and all rocks; no steps of undo. A rock of which a part is ground is ground.
+  /// Refused: unloaded, where the shelf did not give a chunk. Cost: a copy of what is in memory, and each chunk on the
+  /// shelf once.
   Expected<void> save(const ByteSink& sink) {
-    return saveGround(world_, options_.shelf, rocksAsValues(), {made_.begin(), made_.end()}, sink);
+    dropGone();
+    const std::vector<Cell> land(made_.begin(), made_.end());
+    if (std::ranges::none_of(fallen_, [](const Fallen& f) { return f.isInAir && f.parts > 0; }))
+      return saveGround(world_, options_.shelf, rocksAsValues(nullptr), land, sink);
+    World whole = world_;  // what is ground in part would fall apart after a load
+    const std::vector<Rock> rocks = rocksAsValues(&whole);
+    whole.commit();
+    return saveGround(whole, options_.shelf, rocks, land, sink);
   }
   /// What was saved takes the place of all that is there. What hangs in the air falls. False, and nothing is changed,
   /// if these are not the bytes of a save: cut, damaged or made up ones are.
@@ -179,20 +190,23 @@ class Ground {
   template <class Visit>
   void forEachRock(const Visit& visit) const {
     for (const Fallen& f : fallen_)
-      if (f.isInAir) visit(f.handle, f.rock.ground);
+      if (f.isInAir) visit(f.handle, f.parts == 0 ? f.rock.ground : f.inParts->rest(f.parts).ground);
   }
-  /// Puts a rock into the ground now, as it lies. Refused: staleHandle; as by the host's settle().
+  /// Puts a rock, or what is left of it, into the ground now, as it lies. Refused: staleHandle; as by the host's
+  /// settle().
   Expected<void> settle(Handle handle) {
     dropGone();
     const auto found =
         std::ranges::find_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
     if (found == fallen_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
-    return settle(*found);
+    return found->parts == 0 ? settle(*found) : putParts(*found, found->inParts->count());
   }
-  /// For a rock whose body the game destroys or keeps: it is not the ground's any more. A destroyed one that was not
-  /// forgotten is found in the next step(), undo(), redo(), save(), load() or settle(), before anything of it is used.
+  /// For a rock whose body the game destroys or keeps: it is not the ground's any more. Nothing happens to one of which
+  /// a part is ground. A destroyed one that was not forgotten is found in the next step(), undo(), redo(), save(),
+  /// load() or settle(), before anything of it is used.
   void forget(Handle handle) {
-    std::erase_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
+    std::erase_if(fallen_,
+                  [&](const Fallen& f) { return f.isInAir && f.parts == 0 && Host::isSame(f.handle, handle); });
   }
 
   const World& world() const { return world_; }        ///< for questions
@@ -200,6 +214,7 @@ class Ground {
   Host& host() { return host_; }                       ///< the physics, with the terrain
 
  private:
+  static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
   static constexpr std::uint64_t kStepsOfRest = 30;  // half a second, as in Box2D
 
@@ -213,6 +228,10 @@ class Ground {
     int tries = 0;              ///< how often it did not become ground by itself, or nothing held it then
     std::uint64_t until = 0;    ///< the step before which it does not try again
     std::uint64_t movedAt = 0;  ///< the step at which it moved last, as far as that was seen
+    /// Of one that becomes ground in parts: after which mark each of them did, also those that are undone.
+    std::vector<std::int64_t> puts{};
+    std::size_t parts = 0;                         ///< how many of them are ground now; then its body is held
+    std::shared_ptr<const RockInParts> inParts{};  ///< these
   };
 
   void begin() {
@@ -247,10 +266,20 @@ class Ground {
       return false;
     }
     const std::size_t before = fallen_.size();
-    for (const IslandId id : std::exchange(looksAtAll_, false) ? islands_.all() : islands_.loose())
-      if (islands_.island(id)->anchors == 0)
-        if (auto body = take(world_, islands_, id)) fallen_.push_back({atRest(std::move(*body)), {}, now_});
+    for (const IslandId id : std::exchange(looksAtAll_, false) ? islands_.all() : islands_.loose()) {
+      const IslandFacts facts = *islands_.island(id);
+      if (facts.anchors > 0) continue;
+      if (waitsForRest(facts))
+        looksAtAll_ = true;
+      else if (auto body = take(world_, islands_, id))
+        fallen_.push_back({atRest(std::move(*body)), {}, now_});
+    }
     return fallen_.size() != before;
+  }
+  /// Whether it may be a part of a rock of which the rest will hold it.
+  bool waitsForRest(const IslandFacts& island) const {
+    return std::ranges::any_of(
+        fallen_, [&](const Fallen& f) { return f.isInAir && f.parts > 0 && f.inParts->isNear(island.outer); });
   }
   static Rock atRest(Body ground) {
     const DoublePoint at{static_cast<double>(ground.origin.i), static_cast<double>(ground.origin.j)};
@@ -259,6 +288,7 @@ class Ground {
   static bool isNull(Handle handle) { return Host::isSame(handle, Handle{}); }
   void make(Fallen& f) {
     f.handle = host_.make(f.rock);
+    if (f.parts > 0 && !isNull(f.handle)) host_.hold(f.handle);
     f.movedAt = steps_;
     f.isInAir = true;
   }
@@ -276,24 +306,67 @@ class Ground {
   /// The rocks in turn. One that does not fit, or would fall again, tries again later and later.
   void settleNext() {
     ++steps_;
+    for (Fallen& f : fallen_) {
+      if (!f.isInAir || f.parts == 0 || steps_ < f.until) continue;
+      if (!putParts(f, f.parts + 1)) f.until = steps_ + 60;
+      return;
+    }
     for (std::size_t k = std::min<std::size_t>(fallen_.size(), 16); k > 0; --k) {
       Fallen& f = fallen_[next_++ % fallen_.size()];
       if (!f.isInAir || isNull(f.handle) || steps_ < f.until) continue;
       if (!host_.lies(f.handle)) f.movedAt = steps_;
       if (steps_ - f.movedAt < kStepsOfRest || !host_.isHeld(f.handle)) continue;
       f.until = steps_ + (std::uint64_t{60} << std::min(f.tries++, 6));
-      static_cast<void>(settle(f));
+      if (f.rock.ground.polygons.size() > options_.settleAtOnce)
+        beginSettling(f);
+      else
+        static_cast<void>(settle(f));
       return;
     }
   }
+  void beginSettling(Fallen& f) {
+    const auto placing = host_.placingOf(f.handle);
+    if (!placing) return;
+    auto parts = RockInParts::of(host_.read(f.handle), *placing, std::max<std::size_t>(options_.settleAtOnce, 1));
+    if (!parts) return;
+    f.inParts = std::make_shared<const RockInParts>(std::move(*parts));
+    f.puts.clear();
+    static_cast<void>(putParts(f, 1));
+  }
+  /// Puts parts of a rock until so many are ground.
+  Expected<void> putParts(Fallen& f, std::size_t to) {
+    if (const auto done = f.inParts->put(world_, f.parts, to); !done) return done;
+    dropFuture();
+    if (f.parts == 0) {
+      f.rock = stopped(f.inParts->whole());
+      host_.hold(f.handle);
+    }
+    f.parts = to;
+    f.puts.resize(to, now_);
+    if (to == f.inParts->count()) {
+      destroy(f);
+      becomeGround(f);
+    } else {
+      commit();
+    }
+    return {};
+  }
+  static Rock stopped(Rock rock) {
+    rock.velocity = {};
+    rock.spin = 0;
+    return rock;
+  }
   Expected<void> settle(Fallen& f) {
-    f.rock = host_.read(f.handle);
+    f.rock = stopped(host_.read(f.handle));
     if (const auto done = host_.settle(f.handle); !done) return done;
+    becomeGround(f);
+    return {};
+  }
+  /// All of it is put.
+  void becomeGround(Fallen& f) {
     f.handle = {};
     f.isInAir = false;
     f.settled = now_;
-    f.rock.velocity = {};
-    f.rock.spin = 0;
     const int tries = f.tries;
     const std::uint64_t until = f.until;
     dropFuture();
@@ -303,7 +376,6 @@ class Ground {
       fallen_[k].tries = tries;
       fallen_[k].until = until;
     }
-    return {};
   }
 
   // --- Undo
@@ -316,7 +388,9 @@ class Ground {
     now_ = to;
     const auto isThere = [&](const Fallen& f) { return f.took < now_ && f.settled >= now_; };
     for (Fallen& f : fallen_) {
-      if (!f.isInAir || isThere(f)) continue;
+      const bool wasHeld = std::exchange(f.parts, partsAt(f, now_)) > 0;
+      const bool isHeld = f.parts > 0 && isThere(f);
+      if (!f.isInAir || (isThere(f) && wasHeld == isHeld)) continue;
       destroy(f);
       f.handle = {};
       f.isInAir = false;
@@ -324,8 +398,11 @@ class Ground {
     }
     if (options_.atEdge == AtEdge::open) looksAtAll_ = true;  // its anchors may have left since
     show(world_.changesOfRollBack());
-    for (Fallen& f : fallen_)
-      if (!f.isInAir && isThere(f)) make(f);
+    for (Fallen& f : fallen_) {
+      if (f.isInAir || !isThere(f)) continue;
+      if (f.parts > 0) f.rock = stopped(f.inParts->whole());
+      make(f);
+    }
     remakeLand();
     return true;
   }
@@ -333,8 +410,15 @@ class Ground {
   void dropFuture() {
     marks_.resize(static_cast<std::size_t>(now_ - oldest_) + 1);
     std::erase_if(fallen_, [&](const Fallen& f) { return !f.isInAir && f.took >= now_; });
-    for (Fallen& f : fallen_)
-      if (f.isInAir) f.settled = kNever;
+    for (Fallen& f : fallen_) {
+      if (!f.isInAir) continue;
+      f.settled = kNever;
+      f.puts.resize(f.parts);
+    }
+  }
+  /// How many parts of a rock are ground at a mark.
+  static std::size_t partsAt(const Fallen& f, std::int64_t mark) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(f.puts, mark) - f.puts.begin());
   }
   void forgetOldest() {
     static_cast<void>(world_.forget(marks_.front()));
@@ -409,11 +493,19 @@ class Ground {
     unloadOutside(world_, window_, options_.shelf);
     commit();
   }
-  std::vector<Rock> rocksAsValues() {
-    dropGone();
+  /// Those of which a part is ground become ground in `world`, as far as it takes them. If there are none it may be null.
+  std::vector<Rock> rocksAsValues(World* world) {
     std::vector<Rock> rocks;
-    for (const Fallen& f : fallen_)
-      if (f.isInAir) rocks.push_back(isNull(f.handle) ? f.rock : host_.read(f.handle));
+    for (const Fallen& f : fallen_) {
+      if (!f.isInAir) continue;
+      if (f.parts == 0) {
+        rocks.push_back(isNull(f.handle) ? f.rock : host_.read(f.handle));
+        continue;
+      }
+      std::size_t most = kAll;
+      static_cast<void>(reloadInside(*world, f.inParts->chunks(), options_.shelf, most));
+      if (!f.inParts->put(*world, f.parts, f.inParts->count())) rocks.push_back(f.inParts->rest(f.parts));
+    }
     return rocks;
   }
 

@@ -50,6 +50,9 @@ struct GroundOptions {
   /// frames what takes most of one. It then calls window() in each frame, and before it begins until that is true.
   std::size_t chunksAtOnce = std::numeric_limits<std::size_t>::max();
   std::size_t undoSteps = 64;  ///< how many strokes can be undone
+  /// How many polygons of a rock that rests step() makes ground in one call, at least one. A larger rock takes several
+  /// frames, in which its body stands still.
+  std::size_t settleAtOnce = 64;
   /// Is notified of each commit, roll-back and redo: for further views, or the server of addons/sync. After a
   /// load() the game begins them again.
   std::function<void(const World& world, const Changes& changes)> follow{};
@@ -122,6 +125,28 @@ Expected<void> saveGround(const World& world, const Shelf& shelf, const std::vec
 [[nodiscard]] std::optional<LoadedGround> loadGround(std::span<const std::byte> bytes, const PreserveRelation& preserve,
                                                      const CellRect& window, const Shelf& shelf);
 
+/// A rock that becomes ground in several frames.
+class RockInParts {
+ public:
+  /// Of `rock` so many polygons are put at once, as `placing` says; refused: as by partsAsTheyLie().
+  static Expected<RockInParts> of(Rock rock, const Placing& placing, std::size_t polygonsAtOnce);
+
+  std::size_t count() const { return parts_.size(); }  ///< of its parts
+  const Rock& whole() const { return rock_; }          ///< as it lay
+  Rock rest(std::size_t from) const;                   ///< what the parts from this one on are, as they will lie
+  bool isNear(const LoopFacts& loop) const;            ///< whether their boxes meet
+  CellRect chunks() const;                             ///< the chunks in which it becomes ground
+  /// Puts parts, as one edit. Refused: as by putPart().
+  Expected<void> put(World& world, std::size_t from, std::size_t to) const noexcept;
+
+ private:
+  Rock rock_;
+  Placing placing_;
+  std::size_t atOnce_ = 1;
+  std::vector<std::vector<LyingBlock>> parts_;
+  Point min_, max_;
+};
+
 /// What a Ground does where there is no physics engine: rocks are values, and the game moves them.
 class NoPhysics {
  public:
@@ -140,7 +165,10 @@ class NoPhysics {
   void showAll() {}                                          ///< after a load
   Handle make(const Rock& rock);                             ///< a body for a rock; null, if there can be none
   Rock read(Handle handle) { return rocks_.at(handle); }     ///< where it is now
-  bool lies(Handle /*handle*/) { return false; }             ///< whether it is at rest
+  /// How it would become ground. Refused, where it does not fit.
+  Expected<Placing> placingOf(Handle handle) { return rocks_.at(handle).placing; }
+  void hold(Handle /*handle*/) {}                  ///< it stands still from now on, and is in no one's way
+  bool lies(Handle /*handle*/) { return false; }   ///< whether it is at rest
   bool isHeld(Handle /*handle*/) { return true; }  ///< whether it would not fall again, as far as that is known
   /// Puts it into the ground, as an edit; its body goes. Refused: overlap, if it lies on whole cells and something is
   /// there; as by putAsItLies().

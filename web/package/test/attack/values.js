@@ -63,7 +63,7 @@ const ofType = {
   FallingOptions: [{}, { density: () => NaN }, { density: () => -1 }, { material: () => null }, { density: mine }],
   Fixture: (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
   'Fixture | Contact': (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
-  GroundOptions: [{}, { anchors: { blocks: [9] } }, { undoSteps: 0 }, { undoSteps: NaN }, { shelf: {} }, { shelf: 7 }, { land: mine }, { follow: 7 }, { anchors: { blocks: [0.5] } }, { preserve: mine }],
+  GroundOptions: [{}, { anchors: { blocks: [9] } }, { undoSteps: 0 }, { undoSteps: NaN }, { atEdge: 'open' }, { atEdge: 'shut' }, { chunksAtOnce: 1 }, { chunksAtOnce: 0 }, { shelf: {} }, { shelf: 7 }, { land: mine }, { follow: 7 }, { anchors: { blocks: [0.5] } }, { preserve: mine }],
   GroundBody: [ground, { ...ground, polygons: [] }, { ...ground, i: 2 ** 31 - 1 }, { ...ground, polygons: [{ i: 2 ** 31 - 1, j: 0, block: 1, vertices: square }] },
     { ...ground, polygons: [{ i: 0, j: 0, block: 1, vertices: [0, 0, 9, 0, 0, 9] }] }, { ...ground, polygons: [null] }, { ...ground, polygons: new Array(2) }],
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
@@ -73,7 +73,6 @@ const ofType = {
   'readonly [number, number, number, number, number, number]': [[1, 0, 0, 1, 0, 0]],
   HTMLCanvasElement: [{ getContext: () => new Proxy({}, { get: () => () => {}, set: () => true }), clientWidth: 20, clientHeight: 9 }],
   'Int32Array': ({ square: shape }) => rowsOf(shape),
-  GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   IslandId: (s) => [1, 0, 2, 999, 2 ** 32 - 1],
   Islands: (s) => [s.receivers.Islands, s.other.islands],
   MapFiles: [{ 'a.tmx': map('1,2'), 'b.tmx': map('1,2,3', '<objectgroup><object/></objectgroup>'), 'c.tmx': '<map', 'd.tmj': '{"a":' }, {}, { 'a.tmx': new Uint8Array([60, 0, 255]) }, { 'a.tmx': map('4294967295,-1') },
@@ -181,10 +180,6 @@ export class Scene {
     }
     if (needs('draw/')) Object.assign(receivers, { GroundPicture: new GroundPicture({ draw: () => [], rocks: () => [] }, ofType.HTMLCanvasElement[0], {}), OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
     if (needs('ImportedMap')) receivers.ImportedMap = importMap('a.tmx', ofType.MapFiles[0], { solid: true })
-    if (needs('GroundHashes')) {
-      receivers.GroundHashes = new GroundHashes(world)
-      this.other.hashes = new GroundHashes(other)
-    }
     if (needs('pieces/')) receivers.Pieces = new Pieces(world)
     if (needs('islands/', 'planck/', 'box2d3/FallingGround')) {
       receivers.Islands = new Islands(world, { blocks: [9] })
@@ -253,8 +248,6 @@ export class Scene {
   free() {
     for (const each of this.#grounds) each.free()
     if (this.box2d) b2.b2DestroyWorld(this.box2d.physics)
-    this.receivers.GroundHashes?.free()
-    this.other.hashes?.free()
     this.receivers.Islands?.free()
     for (const follower of [this.receivers.Pieces, this.receivers.GroundHashes, this.other.hashes]) follower?.free()
     this.other.islands?.free()

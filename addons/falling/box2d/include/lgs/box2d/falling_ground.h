@@ -118,7 +118,9 @@ class FallingGround {
   /// of the physics world in Box2D 2.4, at each of bodies() in 3.
   bool dropGone() {
     known_.eraseIf([](BodyHandle) { return false; });
-    const auto isGone = [&](const Falling& f) { return std::ranges::count(known_.all(), f.body) == 0; };
+    const auto isGone = [&](const Falling& f) {
+      return std::ranges::none_of(known_.all(), [&](BodyHandle one) { return one == f.body; });
+    };
     return known_.all().size() != bodies_.size() && std::erase_if(bodies_, isGone) > 0;
   }
 
@@ -131,9 +133,18 @@ class FallingGround {
   /// changed: overlap, where the ground reaches into it by more than two slops; staleHandle, if there is no such body;
   /// and as by putAsItLies(). Cost: as of Terrain::fits() and putAsItLies().
   Expected<void> settle(BodyHandle body) {
+    const auto placing = placingOf(body);
+    if (!placing) return tl::unexpected(placing.error());
+    if (const auto done = putAsItLies(world_, find(body)->ground, *placing); !done) return done;
+    forget(body);
+    destroyBody(physics_, body);
+    return {};
+  }
+
+  /// How settle() would put a body, for a game that does so in parts. Refused: as settle(), but for putAsItLies().
+  Expected<Placing> placingOf(BodyHandle body) {
     dropGone();
-    const auto found = find(body);
-    if (found == bodies_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
+    if (find(body) == bodies_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     const Place down = downOf(physics_);
     const double slop = slopOf(physics_), depth = restingGap(physics_) + slop;
     const b2Vec2 lifted{static_cast<float>(-down.x * slop), static_cast<float>(-down.y * slop)};
@@ -144,13 +155,9 @@ class FallingGround {
     const auto cells = [&](double metres, double way, std::int64_t from) {
       return (metres + way * depth) / size + static_cast<double>(from) / kUnitsPerCell;
     };
-    const Placing placing{{cells(lying.origin.x, down.x, corner.x), cells(lying.origin.y, down.y, corner.y)},
-                          lying.cosine / scale,
-                          lying.sine / scale};
-    if (const auto done = putAsItLies(world_, found->ground, placing); !done) return done;
-    forget(body);
-    destroyBody(physics_, body);
-    return {};
+    return Placing{{cells(lying.origin.x, down.x, corner.x), cells(lying.origin.y, down.y, corner.y)},
+                   lying.cosine / scale,
+                   lying.sine / scale};
   }
 
   /// For a body that the game destroys itself, or keeps for itself: add() takes it back.

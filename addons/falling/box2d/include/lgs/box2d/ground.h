@@ -83,6 +83,10 @@ class GroundHost {
   }
   /// Whether the ground would carry it: a rock that rests on another body alone would fall again.
   bool isHeld(BodyHandle body) { return touchesGround(terrain_, body); }
+  /// As that of FallingGround.
+  Expected<Placing> placingOf(BodyHandle body) { return falling_.placingOf(body); }
+  /// It stands still from now on: it is static, so no ground that is new in it pushes it out.
+  void hold(BodyHandle body) { makeStatic(body); }
   /// As FallingGround::settle().
   Expected<void> settle(BodyHandle body) { return falling_.settle(body); }
   /// The body goes.

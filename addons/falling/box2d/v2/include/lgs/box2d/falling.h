@@ -85,6 +85,7 @@ inline bool touchesGround(const Terrain& terrain, b2Body* body) {
 inline b2Vec2 middleOfMass(const b2Body* body) { return body->GetWorldCenter(); }
 inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
 inline void enable(b2Body* body, bool enabled) { body->SetEnabled(enabled); }
+inline void makeStatic(b2Body* body) { body->SetType(b2_staticBody); }
 
 /// Calls a function for each dynamic body that is enabled; or only for those that moved in the last step, at least.
 template <class Call>

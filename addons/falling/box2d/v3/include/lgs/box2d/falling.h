@@ -106,6 +106,7 @@ inline bool touchesGround(const Terrain& terrain, b2BodyId body) {
 }
 inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline void enable(b2BodyId body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
+inline void makeStatic(b2BodyId body) { b2Body_SetType(body, b2_staticBody); }
 
 /// Calls a function for each dynamic body that is enabled; or only for those that moved in the last step, at least.
 template <class Call>
