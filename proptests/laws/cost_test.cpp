@@ -1,6 +1,5 @@
 // What memory a world takes: the statistics against what is really allocated, and what is given back.
 #include "allocations.h"
-#include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -25,14 +24,12 @@ void expectHonestStats(const Measured& m) {
 }
 
 TEST(Memory, ABuriedFullCellCostsAtMostEightBytes) {
-  const int chunks = std::max(4, static_cast<int>(31 * std::min(1.0, std::sqrt(testScale()))));  // each way
-  const std::int32_t side = 32 * chunks;
+  const std::int32_t side = 32 * 31;
   Measured m;
   fill(m.world, {{0, 0}, {side - 1, side - 1}});
   m.world.commit();
   EXPECT_EQ(m.world.stats().segments, 4U * static_cast<unsigned>(side));
-  constexpr double kFirstPages = 400'000;  // of segments and contents, however few there are
-  EXPECT_LT((m.bytes() - (testScale() < 1 ? kFirstPages : 0)) / side / side, 8.0);
+  EXPECT_LT(m.bytes() / side / side, 8.0);
   RecordProperty("bytes_per_buried_cell", std::to_string(m.bytes() / side / side));
   expectHonestStats(m);
 }
