@@ -94,6 +94,7 @@ class Crowd {
   static Position positionOf(Body body) { return body->GetPosition(); }
   static bool areSame(Body a, Body b) { return a == b; }
   static bool isEnabled(Body body) { return body->IsEnabled(); }
+  static bool isStatic(Body body) { return body->GetType() == b2_staticBody; }
   static void setEnabled(Body body, bool enabled) { body->SetEnabled(enabled); }
   static void kick(Body body, b2Vec2 velocity) {
     body->SetLinearVelocity(velocity);
@@ -106,6 +107,7 @@ class Crowd {
     physics.DestroyBody(bodies[which]);
     bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(which));
   }
+  std::size_t bodyCount() const { return static_cast<std::size_t>(physics.GetBodyCount()); }
   void step() { physics.Step(1.0F / 60, 8, 3); }
   void moveOrigin(box2d::Terrain& terrain, Cell origin) {
     physics.ShiftOrigin(terrain.position(toWorld(origin, {})));
@@ -170,6 +172,7 @@ class Crowd {
   static Position positionOf(Body body) { return b2Body_GetPosition(body); }
   static bool areSame(Body a, Body b) { return B2_ID_EQUALS(a, b); }
   static bool isEnabled(Body body) { return b2Body_IsEnabled(body); }
+  static bool isStatic(Body body) { return b2Body_GetType(body) == b2_staticBody; }
   static void setEnabled(Body body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
   static void kick(Body body, b2Vec2 velocity) {
     b2Body_SetLinearVelocity(body, velocity);
@@ -181,6 +184,7 @@ class Crowd {
     b2DestroyBody(bodies[which]);
     bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(which));
   }
+  std::size_t bodyCount() const { return static_cast<std::size_t>(b2World_GetCounters(physics).bodyCount); }
   void step() { b2World_Step(physics, 1.0F / 60, 4); }
   void moveOrigin(box2d::Terrain& terrain, Cell origin) {
     const Position by = terrain.position(toWorld(origin, {}));

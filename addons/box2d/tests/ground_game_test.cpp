@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace lgs::box2d_test {
 namespace {
@@ -45,8 +47,8 @@ class GroundGame {
     if (what < 30) {
       stroke([&] { return ground_->dig(circle(somewhere(), (1 + random_.below(5)) * kUnitsPerCell / 2, 12)); });
     } else if (what < 40) {
-      stroke(
-          [&] { return ground_->paint(circle(somewhere(), (1 + random_.below(3)) * kUnitsPerCell / 2, 12), kEarth); });
+      const Point at = random_.chance(70) ? somewhere() : aRock();
+      stroke([&] { return ground_->paint(circle(at, (1 + random_.below(6)) * kUnitsPerCell / 2, 12), kEarth); });
     } else if (what < 50) {
       goTo(now_ - 1, ground_->undo());
     } else if (what < 57) {
@@ -80,13 +82,23 @@ class GroundGame {
             .staying = [](Block block) { return block == kRock; },
             .land = hillsOn,
             .chunksAtOnce = random_.chance(50) ? 1 + random_.below(std::size_t{4}) : 100,
-            .settleAtOnce = random_.chance(50) ? 1 + random_.below(std::size_t{6}) : 64};
+            .settleAtOnce = random_.chance(50) ? 1 + random_.below(std::size_t{6}) : 64,
+            .follow = [this](const World&, const Changes&) { destroyVictim(); }};
   }
   std::unique_ptr<box2d::Ground> made() {
     return std::make_unique<box2d::Ground>(options(), crowd_.physics, box2d::TerrainOptions{.merge = true});
   }
   static CellRect around(std::int32_t i) { return {{i - 24, -8}, {i + 24, 40}}; }
   Point somewhere() { return toWorld({at_ + random_.below(30) - 15, random_.below(14)}, {0, 0}); }
+
+  /// Where one is, to wall it in.
+  Point aRock() {
+    Point at = somewhere();
+    ground_->forEachRock([&](Body rock, const lgs::Body&) {
+      if (!box2d::GroundHost::isSame(rock, {})) at = terrain().latticePoint(box2d::middleOfMass(rock));
+    });
+    return at;
+  }
 
   Stuff stuff() {
     std::vector<std::byte> bytes;
@@ -106,7 +118,7 @@ class GroundGame {
 
   template <class Stroke>
   void stroke(const Stroke& stroke) {
-    if (!stroke()) return;
+    if (!isWhole_ || !stroke()) return;  // else land would be made around it, and how much is not known here
     moments_.resize(++now_);
     moments_.push_back(stuff());
   }
@@ -114,19 +126,44 @@ class GroundGame {
     if (!went) return;
     now_ = moment;
     const Stuff is = stuff(), was = moments_[moment];
-    EXPECT_EQ(is.ground, was.ground) << "another ground than right after that stroke";
-    EXPECT_EQ(is.rocks, was.rocks) << "matter was doubled or lost";
+    EXPECT_EQ(is.ground + is.rocks, was.ground + was.rocks) << "matter was doubled or lost";
+    // Else what came in since may fall at once.
+    EXPECT_TRUE(is.ground == was.ground || !ground_->canRedo()) << "another ground than right after that stroke";
     if (!ground_->canRedo()) moments_.resize(now_ + 1);  // land was made again
   }
   void load() {
     std::vector<std::byte> bytes;
     EXPECT_TRUE(ground_->save([&](auto more) { bytes.insert(bytes.end(), more.begin(), more.end()); }));
     const Stuff before = stuff();
+    if (random_.chance(50)) another();
     EXPECT_TRUE(ground_->load(bytes));
+    rocks_.clear();
+    ground_->forEachRock([&](Body rock, const lgs::Body&) { rocks_.emplace_back(rock, true); });
+    look("after a load");
     const Stuff after = stuff();
     EXPECT_EQ(after.ground + after.rocks, before.ground + before.rocks);
     moments_ = {after};
     now_ = 0;
+  }
+  /// In the same physics world, in which nothing is left of the one before.
+  void another() {
+    std::vector<Body> away = ground_->host().away();  // some may be gone, and others have their addresses
+    std::erase_if(away, [&](Body body) {
+      const auto found = std::ranges::find_if(crowd_.bodies, [&](Body one) { return Crowd::areSame(one, body); });
+      return found == crowd_.bodies.end() || watched_[static_cast<std::size_t>(found - crowd_.bodies.begin())].isOff ||
+             ground_->world().at(terrain().latticePoint(Crowd::positionOf(body))).where != Spot::Where::unloaded;
+    });
+    ground_.reset();
+    EXPECT_EQ(crowd_.bodyCount(), crowd_.bodies.size()) << "bodies are left of a Ground that is gone";
+    for (std::size_t k = 0; k < crowd_.bodies.size(); ++k) {
+      const Body body = crowd_.bodies[k];
+      const bool wasAway = std::ranges::any_of(away, [&](Body one) { return Crowd::areSame(one, body); });
+      EXPECT_FALSE(wasAway && !Crowd::isEnabled(body)) << "nobody enables body " << k << " any more";
+      watched_[k].isHeld = false;
+    }
+    ground_ = made();
+    isWhole_ = false;
+    for (bool isLater = random_.chance(50); !isLater && !isWhole_;) isWhole_ = ground_->window(around(at_));
   }
   void steps(int count) {
     const Stuff before = stuff();
@@ -145,7 +182,7 @@ class GroundGame {
   }
 
   void window() {
-    ground_->window(around(at_));
+    isWhole_ = ground_->window(around(at_));
     if (!ground_->canRedo()) moments_.resize(now_ + 1);  // new land
   }
   /// The game destroys a rock and does not say so; the next body may have its address.
@@ -155,23 +192,39 @@ class GroundGame {
       if (!box2d::GroundHost::isSame(rock, {})) rocks.push_back(rock);
     });
     if (rocks.empty()) return;
-    box2d::destroyBody(crowd_.physics, rocks[random_.below(rocks.size())]);
-    body();
-    EXPECT_TRUE(ground_->edit([](World&) { return Expected<void>(); }));  // so that nothing before is taken back
+    victim_ = rocks[random_.below(rocks.size())];
+    if (random_.chance(50)) {
+      destroyVictim();
+      body();
+    }
+    // So that nothing before is taken back; and there is a new rock, which may have the address.
+    EXPECT_TRUE(ground_->edit([&](World& world) -> Expected<void> {
+      const Cell cell{at_ + random_.below(30) - 15, 20};
+      static_cast<void>(world.fill({cell, {cell.i + 1, cell.j}}, world.shape(kUnitSquare).value(), kEarth));
+      return {};
+    }));
     ground_->forgetUndo();
     moments_ = {stuff()};
     now_ = 0;
   }
+  void destroyVictim() {
+    if (const auto victim = std::exchange(victim_, std::nullopt)) box2d::destroyBody(crowd_.physics, *victim);
+  }
   /// One goes, and another one comes, which may have its address; the game keeps some switched off.
   void body() {
     if (!crowd_.bodies.empty() && random_.chance(50)) {
-      const std::size_t which = random_.below(crowd_.bodies.size());
+      std::size_t which = random_.below(crowd_.bodies.size());
+      const auto isWaiting = [&](Body body) {
+        return std::ranges::any_of(ground_->host().away(), [&](Body one) { return Crowd::areSame(one, body); });
+      };
+      if (const auto found = std::ranges::find_if(crowd_.bodies, isWaiting); found != crowd_.bodies.end())
+        which = static_cast<std::size_t>(found - crowd_.bodies.begin());
       crowd_.destroy(which);
       watched_.erase(watched_.begin() + static_cast<std::ptrdiff_t>(which));
     }
     const Point at =
         toWorld({at_ + random_.below(40) - 20, 2 + random_.below(16)}, {kUnitsPerCell / 2, kUnitsPerCell / 2});
-    if (crowd_.bodies.size() > 6 || ground_->world().at(at).where != Spot::Where::outside) return;
+    if (!isWhole_ || crowd_.bodies.size() > 6 || ground_->world().at(at).where != Spot::Where::outside) return;
     const Body body = crowd_.add(random_.chance(50) ? Figure::circle : Figure::box, 0.6F, terrain().position(at));
     Watched& watched = watched_.emplace_back();
     watched.wasFree = true;
@@ -196,6 +249,26 @@ class GroundGame {
       watched.isHeld = !isEnabled;
       watched.at = at;
     }
+    lookAtRocks(when);
+  }
+  /// By the middles of their shapes: what is around may have more in it.
+  void lookAtRocks(const char* when) {
+    std::vector<std::pair<Body, bool>> now;
+    ground_->forEachRock([&](Body rock, const lgs::Body&) {
+      if (box2d::GroundHost::isSame(rock, {}) || Crowd::isStatic(rock)) return;  // one that becomes ground stands still
+      const auto whereIs = [&](Crowd::Position at) { return ground_->world().at(terrain().latticePoint(at)).where; };
+      const auto isIn = [&](Crowd::Position at) { return whereIs(at) == Spot::Where::inside; };
+      const bool isInside = std::ranges::any_of(Crowd::middlesOf(rock), isIn), isEnabled = Crowd::isEnabled(rock);
+      const auto found = std::ranges::find_if(rocks_, [&](const auto& one) { return Crowd::areSame(one.first, rock); });
+      const bool wasFree = found != rocks_.end() && found->second;
+      EXPECT_FALSE(isEnabled && isInside && wasFree) << when << ": a rock is in the ground";
+      EXPECT_FALSE(isEnabled && whereIs(box2d::middleOfMass(rock)) == Spot::Where::unloaded)
+          << when << ": a rock goes on where no ground is in memory";
+      EXPECT_TRUE(std::ranges::none_of(now, [&](const auto& one) { return Crowd::areSame(one.first, rock); }))
+          << when << ": two rocks are one body";
+      now.emplace_back(rock, !isInside || (wasFree && !isEnabled));
+    });
+    rocks_ = std::move(now);
   }
   box2d::Terrain& terrain() { return ground_->host().terrain(); }
 
@@ -204,8 +277,11 @@ class GroundGame {
   std::unique_ptr<box2d::Ground> ground_ = made();
   std::int32_t at_ = 0;
   std::vector<Watched> watched_;
+  std::vector<std::pair<Body, bool>> rocks_;  ///< and whether each was out of the ground
+  std::optional<Body> victim_;                ///< a rock that the game destroys in the next commit
   std::vector<Stuff> moments_;  ///< right after each stroke; the first one is that of the begin, or of the last load
   std::size_t now_ = 0;
+  bool isWhole_ = true;  ///< whether the window was, the last time
 };
 
 LGS_LAW(GroundOfBox2dGame, HoldsLaw13AndKeepsMatter, 40, (std::uint64_t seed)) {

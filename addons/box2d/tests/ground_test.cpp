@@ -1,8 +1,12 @@
 // The ground of a game with Box2D: what is cut off falls, rests and is ground again; roll-backs and unloading leave nobody
 // in the ground and nothing twice.
+#include "crowd.h"
 #include "either.h"
 
 #include <lgs/box2d/ground.h>
+
+#include <array>
+#include <limits>
 
 namespace lgs::box2d_test {
 namespace {
@@ -120,6 +124,94 @@ TEST_F(GroundOfBox2d, ARockInTheAirIsSavedAndLoaded) {
   EXPECT_TRUE(ground.world().isEmpty({3, 0}));
   play(300);
   EXPECT_EQ(rocks(), 0U);
+  EXPECT_FALSE(ground.world().isEmpty({3, 0}));
+}
+
+TEST_F(GroundOfBox2d, ARockThatIsWalledInStaysThereAfterALoad) {
+  const auto fill = [&](const CellRect& cells, Block block) {
+    return ground.edit([&](World& world) { return world.fill(cells, world.shape(kUnitSquare).value(), block); });
+  };
+  ASSERT_TRUE(fill({{-10, 30}, {-9, 31}}, 1));
+  ASSERT_EQ(rocks(), 1U);
+  ASSERT_TRUE(fill({{-40, 10}, {40, 60}}, kBedrock));
+  play(2);
+  std::vector<std::byte> saved;
+  ASSERT_TRUE(
+      ground.save([&](std::span<const std::byte> bytes) { saved.insert(saved.end(), bytes.begin(), bytes.end()); }));
+  ASSERT_TRUE(ground.load(saved));
+  play(200);
+  ground.forEachRock(
+      [&](auto rock, const auto&) { EXPECT_GT(positionOf(rock).y, 20) << "it fell through the ground"; });
+}
+
+TEST_F(GroundOfBox2d, ABodyThatTheGameKeepsOffIsNotTheOneThatWaitedAtItsAddress) {
+  const auto waiting = addBody({-30.5F, 2.5F}, Form::ball, 0.6F);
+  const auto leaving = addBody({30.5F, 2.5F}, Form::ball, 0.6F);
+  ASSERT_TRUE(ground.window({{0, -32}, {31, 31}}));
+  ASSERT_EQ(ground.host().away().size(), 1U);
+  destroy(waiting);
+  const auto off = addBody({10.5F, 2.5F}, Form::ball, 0.6F);
+  Crowd::setEnabled(off, false);
+  ASSERT_TRUE(ground.window({{0, -32}, {63, 31}}));
+  Crowd::put(leaving, {70.5F, 2.5F});
+  Crowd::kick(leaving, {1, 0});
+  play(1);
+  EXPECT_FALSE(Crowd::isEnabled(leaving)) << "it left the window";
+  ASSERT_TRUE(ground.window({{-64, -32}, {95, 31}}));
+  EXPECT_FALSE(Crowd::isEnabled(off));
+}
+
+TEST_F(GroundOfBox2d, RocksOutsideOfTheWindowWaitAsSoonAsTheyAreThere) {
+  ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{1, 6}); }));
+  const auto expectWaiting = [&] {
+    EXPECT_EQ(rocks(), 1U);
+    ground.forEachRock([&](auto rock, const auto&) { EXPECT_FALSE(Crowd::isEnabled(rock)); });
+  };
+  std::vector<std::byte> saved;
+  ASSERT_TRUE(
+      ground.save([&](std::span<const std::byte> bytes) { saved.insert(saved.end(), bytes.begin(), bytes.end()); }));
+  ASSERT_TRUE(ground.window({{-64, -32}, {-33, 31}}));
+  expectWaiting();
+  ASSERT_TRUE(ground.load(saved));
+  expectWaiting();
+}
+
+/// One that is too thin for Box2D has a null body: it is named by nothing.
+TEST_F(GroundOfBox2d, NoRockIsNamedByANullBody) {
+  constexpr std::array<LocalPoint, 4> kSliver{{{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, 100}, {0, 100}}};
+  ASSERT_TRUE(ground.place({-8, 5}, kSliver, 1));
+  ASSERT_EQ(rocks(), 1U);
+  ground.forEachRock([&](auto rock, const auto&) { ASSERT_TRUE(box2d::GroundHost::isSame(rock, {})); });
+  EXPECT_FALSE(ground.settle({}));
+  ground.forget({});
+  EXPECT_EQ(rocks(), 1U);
+}
+
+/// Damaged bytes are refused, or what they say is a game in which nothing breaks.
+TEST_F(GroundOfBox2d, BytesThatAreDamagedAreRefusedOrHold) {
+  ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{1, 6}); }));
+  std::vector<std::byte> good;
+  ASSERT_TRUE(
+      ground.save([&](std::span<const std::byte> bytes) { good.insert(good.end(), bytes.begin(), bytes.end()); }));
+  for (const int by : {0x01, 0x40, 0x80, 0xff}) {
+    for (std::size_t k = 0; k < good.size(); ++k) {
+      std::vector<std::byte> bad = good;
+      bad[k] ^= static_cast<std::byte>(by);
+      if (ground.load(bad)) play(2);
+    }
+  }
+  EXPECT_TRUE(ground.load(good));
+}
+
+TEST_F(GroundOfBox2d, ABodyThatTheGameBrokeIsSavedWhereItsGroundWas) {
+  ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{1, 6}); }));
+  ground.forEachRock([&](auto rock, const auto&) { Crowd::kick(rock, {std::numeric_limits<float>::quiet_NaN(), 0}); });
+  std::vector<std::byte> saved;
+  ASSERT_TRUE(
+      ground.save([&](std::span<const std::byte> bytes) { saved.insert(saved.end(), bytes.begin(), bytes.end()); }));
+  ground.forEachRock([&](auto rock, const auto&) { Crowd::kick(rock, {0, 0}); });
+  EXPECT_TRUE(ground.load(saved));
+  play(300);
   EXPECT_FALSE(ground.world().isEmpty({3, 0}));
 }
 

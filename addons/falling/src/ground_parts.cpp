@@ -1,7 +1,10 @@
+#include "by_block.h"
+
 #include <lgs/ground_parts.h>
 #include <lgs/unloaded.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <memory>
@@ -100,11 +103,39 @@ void ChangedSquares::note(const World& world) {
   world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { note(cell); });
 }
 
+void ChangedSquares::noteSides(const CellRect& chunk) {
+  const auto [min, max] = chunk;
+  for (std::int32_t j = min.j;; j = std::min(j + kSide, max.j)) {
+    note({min.i, j}), note({max.i, j});
+    if (j == max.j) break;
+  }
+  for (std::int32_t i = min.i;; i = std::min(i + kSide, max.i)) {
+    note({i, min.j}), note({i, max.j});
+    if (i == max.i) break;
+  }
+}
+
+void ChangedSquares::noteBesideUnloaded(const World& world, const CellRect& window) {
+  for (const CellRect& chunk : unloadedChunks(world)) {
+    const auto [min, max] = chunk;
+    const bool isBeside = min.i <= window.max.i + 1 && window.min.i - 1 <= max.i && min.j <= window.max.j + 1 &&
+                          window.min.j - 1 <= max.j;
+    if (isBeside) noteSides(chunk);
+  }
+}
+
 std::vector<GroundDrawing> ChangedSquares::draw(const World& world) {
   std::vector<GroundDrawing> drawings;
   for (const Cell corner : std::exchange(corners_, {}))
     drawings.push_back(drawingOf(world, {corner, {corner.i + kSide - 1, corner.j + kSide - 1}}));
   return drawings;
+}
+
+bool isSound(const Rock& rock) {
+  const auto& [origin, cosine, sine] = rock.placing;
+  const std::array reals{origin.x, origin.y, rock.velocity.x, rock.velocity.y, rock.spin};
+  return std::ranges::all_of(reals, [](double real) { return std::abs(real) < 1e9; }) &&
+         std::abs(cosine * cosine + sine * sine - 1) < 1e-3;
 }
 
 void putRock(std::vector<std::byte>& out, const Rock& rock) {
@@ -127,10 +158,7 @@ std::optional<Rock> takeRock(std::span<const std::byte>& bytes) {
   for (double* const real : {&rock.placing.origin.x, &rock.placing.origin.y, &rock.placing.cosine, &rock.placing.sine,
                              &rock.velocity.x, &rock.velocity.y, &rock.spin})
     *real = in.real();
-  const auto& [origin, cosine, sine] = rock.placing;
-  for (const double real : {origin.x, origin.y, rock.velocity.x, rock.velocity.y, rock.spin})
-    if (!std::isfinite(real)) return std::nullopt;
-  if (!(std::abs(cosine * cosine + sine * sine - 1) < 1e-3)) return std::nullopt;
+  if (!isSound(rock)) return std::nullopt;
   World alone;  // takes nothing that can not be ground
   Body& ground = rock.ground;
   const auto [i, j] = in.pair();
@@ -308,12 +336,54 @@ NoPhysics::Handle NoPhysics::make(const Rock& rock) {
   return last_;
 }
 
+namespace {
+
+/// In cells.
+double areaIn(const World& world, const CellRect& cells) {
+  std::int64_t twice = 0;
+  world.forEachPolygon(cells, [&](Cell, const PlacedPolygon& p) {
+    for (std::size_t k = 0; k < p.vertices.size(); ++k) {
+      const LocalPoint a = p.vertices[k], b = p.vertices[k + 1 < p.vertices.size() ? k + 1 : 0];
+      twice += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
+    }
+  });
+  return static_cast<double>(twice) / 2 / kUnitsPerCell / kUnitsPerCell;
+}
+/// How long its outline is, in cells.
+double sidesOf(const Body& body) {
+  const auto world = detail::worldOf(body, std::vector<Block>(body.polygons.size()));
+  if (!world) return 0;
+  double sum = 0;
+  for (const SegmentId id : world->segments()) {
+    const Segment side = world->segment(id).value();
+    sum += std::hypot(side.end.x - side.start.x, side.end.y - side.start.y);
+  }
+  return sum / kUnitsPerCell;
+}
+
+/// What is ground already would stay, and that part of the rock be lost: so it is refused.
+Expected<void> putWhole(World& world, const Rock& rock) {
+  const auto lying = RockInParts::of(rock, rock.placing, rock.ground.polygons.size());
+  if (!lying) return tl::unexpected(lying.error());
+  const CellRect cells = lying->chunks();
+  const double before = areaIn(world, cells);
+  Transaction group = world.edit();
+  if (const auto done = lying->put(world, 0, lying->count()); !done) return done;
+  if (areaIn(world, cells) - before < rock.ground.mass.area - sidesOf(rock.ground) / 100)
+    return tl::unexpected(Error{.code = ErrorCode::overlap});
+  group.keep();
+  return {};
+}
+
+}  // namespace
+
 Expected<void> NoPhysics::settle(Handle handle) {
-  const auto& [ground, placing, velocity, spin] = rocks_.at(handle);
+  const Rock& rock = rocks_.at(handle);
+  const auto& [ground, placing, velocity, spin] = rock;
   const Point at = latticePoint(placing.origin);
   if (placing.cosine == 1 && inRange(at) && toWorld(cellAt(at), {}) == at) {
     if (const auto done = put(world_, ground, cellAt(at)); !done) return tl::unexpected(done.error());
-  } else if (const auto done = putAsItLies(world_, ground, placing); !done) {
+  } else if (const auto done = putWhole(world_, rock); !done) {
     return done;
   }
   destroy(handle);

@@ -63,6 +63,13 @@ class Ground {
         islands_(world_, options_.isAnchor, options_.atEdge) {
     begin();
   }
+  /// The bodies of rocks go, and those of the game outside of the window are enabled.
+  ~Ground() {
+    if (!host_.isThere()) return;
+    dropGone();
+    for (const Fallen& f : fallen_)
+      if (f.isInAir) destroy(f);
+  }
   Ground(const Ground&) = delete;
   Ground& operator=(const Ground&) = delete;
 
@@ -91,7 +98,7 @@ class Ground {
     commit();
     marks_.push_back(world_.mark());
     ++now_;
-    if (marks_.size() > options_.undoSteps + 1) forgetOldest();
+    if (marks_.size() - 1 > options_.undoSteps) forgetOldest();
     return {};
   }
 
@@ -124,8 +131,9 @@ class Ground {
   // --- Space
 
   /// The chunks with a cell of a rectangle are in memory from now on, and no others; until it is called the first time,
-  /// all are. With GroundOptions::land there is land there, and one chunk further. False while that is not so, and the
-  /// next call goes on: there are more than GroundOptions::chunksAtOnce, or the shelf did not give a chunk, or other
+  /// all are. What a stroke makes in chunks outside of it where none were is in memory until the window is another one.
+  /// With GroundOptions::land there is land there, and one chunk further. False while that is not so, and the next call
+  /// goes on: there are more than GroundOptions::chunksAtOnce, or the shelf did not give a chunk, or other
   /// bytes. Cost: O(1) if the chunks are the same and all are there.
   bool window(const CellRect& cells) {
     const CellRect chunks{chunkAround(cells.min).min, chunkAround(cells.max).max};
@@ -137,6 +145,7 @@ class Ground {
     std::size_t most = std::max<std::size_t>(options_.chunksAtOnce, 1);
     // Land first, as a chunk that comes in needs to know what is beside it.
     isWindowWhole_ = makeLand(most) && unloadSome(most) && reloadInside(world_, window_, options_.shelf, most);
+    if (isWindowWhole_) mayLackLand_ = false;
     host_.window(chunks);
     commit();
     keepLand();
@@ -158,8 +167,9 @@ class Ground {
     whole.commit();
     return saveGround(whole, options_.shelf, rocks, land, sink);
   }
-  /// What was saved takes the place of all that is there. What hangs in the air falls. False, and nothing is changed,
-  /// if these are not the bytes of a save: cut, damaged or made up ones are.
+  /// What was saved takes the place of all that is there. What hangs in the air falls; with GroundOptions::land as soon
+  /// as a window() is true, as land that is not made yet may hold it. False, and nothing is changed, if these are not the
+  /// bytes of a save: cut ones, say. Damaged ones that are taken are ground and rocks like others.
   bool load(std::span<const std::byte> bytes) {
     auto loaded = loadGround(bytes, options_.preserve, window_, options_.shelf);
     if (!loaded) return false;
@@ -175,8 +185,10 @@ class Ground {
     world_ = std::move(loaded->world);
     squares_.note(world_);
     begin();
-    host_.showAll();
+    // Rocks first, so that those in the ground are pushed out or disabled.
     for (Fallen& f : fallen_) make(f);
+    host_.showAll();
+    mayLackLand_ = static_cast<bool>(options_.land);
     looksAtAll_ = true;
     commit();
     return true;
@@ -186,7 +198,8 @@ class Ground {
 
   /// The squares that look different since the last call, the first time all.
   std::vector<GroundDrawing> draw() { return squares_.draw(world_); }
-  /// Calls visit(handle, ground) for each rock in the air. A null handle has no body, as all of it is too thin.
+  /// Calls visit(handle, ground) for each rock in the air. A null handle has no body, as all of it is too thin. The visit
+  /// collects those that it is to settle() or forget().
   template <class Visit>
   void forEachRock(const Visit& visit) const {
     for (const Fallen& f : fallen_)
@@ -196,15 +209,17 @@ class Ground {
   /// settle().
   Expected<void> settle(Handle handle) {
     dropGone();
+    if (isNull(handle)) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     const auto found =
         std::ranges::find_if(fallen_, [&](const Fallen& f) { return f.isInAir && Host::isSame(f.handle, handle); });
     if (found == fallen_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     return found->parts == 0 ? settle(*found) : putParts(*found, found->inParts->count());
   }
   /// For a rock whose body the game destroys or keeps: it is not the ground's any more. Nothing happens to one of which
-  /// a part is ground. A destroyed one that was not forgotten is found in the next step(), undo(), redo(), save(),
+  /// a part is ground, and to those without a body. A destroyed one that was not forgotten is found in the next step(), undo(), redo(), save(),
   /// load() or settle(), before anything of it is used.
   void forget(Handle handle) {
+    if (isNull(handle)) return;
     std::erase_if(fallen_,
                   [&](const Fallen& f) { return f.isInAir && f.parts == 0 && Host::isSame(f.handle, handle); });
   }
@@ -257,11 +272,14 @@ class Ground {
     show(world_.commit());
     const std::size_t before = fallen_.size();
     while (takeLoose()) show(world_.commit());
-    for (std::size_t k = before; k < fallen_.size(); ++k) make(fallen_[k]);
+    const std::size_t count = fallen_.size() - before;
+    // options_.follow() may destroy bodies, and the new ones may have their addresses.
+    dropGone();
+    for (std::size_t k = fallen_.size() - count; k < fallen_.size(); ++k) make(fallen_[k]);
   }
   bool takeLoose() {
     if (!options_.isAnchor) return false;
-    if (canRedo()) {
+    if (canRedo() || mayLackLand_) {
       looksAtAll_ = true;
       return false;
     }
@@ -396,14 +414,18 @@ class Ground {
       f.isInAir = false;
       if (f.took >= now_) f.rock = atRest(std::move(f.rock.ground));
     }
-    if (options_.atEdge == AtEdge::open) looksAtAll_ = true;  // its anchors may have left since
+    // What came in since may hang in the air, or its anchors have left.
+    looksAtAll_ = true;
     show(world_.changesOfRollBack());
+    squares_.noteBesideUnloaded(world_, window_);
+    dropGone();  // as in commit()
     for (Fallen& f : fallen_) {
       if (f.isInAir || !isThere(f)) continue;
       if (f.parts > 0) f.rock = stopped(f.inParts->whole());
       make(f);
     }
     remakeLand();
+    if (!canRedo()) commit();
     return true;
   }
   /// Before an edit: what was undone can not come back, and what was made again stays.
@@ -435,10 +457,8 @@ class Ground {
     if (!options_.land) return true;
     for (const Cell corner : chunksAround(window_)) {
       if (made_.contains(corner)) continue;
-      if (most == 0) return false;
+      if (most == 0 || !makeChunk(corner)) return false;
       --most;
-      made_.insert(corner);
-      makeChunk(corner);
       static_cast<void>(world_.unload(chunkAround(corner), options_.shelf.put));
     }
     return true;
@@ -446,7 +466,9 @@ class Ground {
   /// Where nothing else has happened since the last mark, it is made anew behind the land: so the undo of the next stroke
   /// does not take that away.
   void keepLand() {
-    const auto isOfNow = [&](const Fallen& f) { return f.took == now_ || f.settled == now_; };
+    const auto isOfNow = [&](const Fallen& f) {
+      return f.took == now_ || f.settled == now_ || std::ranges::binary_search(f.puts, now_);
+    };
     if (newLand_.empty() || newLand_.back().second != now_ || std::ranges::any_of(fallen_, isOfNow)) return;
     static_cast<void>(world_.forget(std::exchange(marks_.back(), world_.mark())));
     for (auto& land : newLand_)
@@ -467,20 +489,29 @@ class Ground {
     leaving_ = window_;
     return true;
   }
-  void makeChunk(Cell corner) {
-    dropFuture();
-    newLand_.emplace_back(corner, now_);
+  /// Whether it could, or the shelf has not given what is there already.
+  bool makeChunk(Cell corner) {
     const CellRect chunk = chunkAround(corner);
+    if (world_.firstUnloaded(chunk)) {  // an undo went over it, or the game has built there
+      const auto bytes = options_.shelf.get(corner);
+      if (!bytes || !world_.reload(*bytes)) return false;
+    }
+    dropFuture();
+    made_.insert(corner);
+    squares_.noteSides(chunk);  // it may leave at once, and then none of its cells is named
+    newLand_.emplace_back(corner, now_);
     World land(options_.preserve);
     options_.land(land, chunk);
     bool isThere = false;
-    static_cast<void>(land.unload(chunk, [&](Cell, std::span<const std::byte> bytes) {
-      isThere = !world_.firstUnloaded(chunk) && world_.reload(bytes);
-    }));
-    if (isThere || !land.firstUnloaded(chunk)) return;
-    // Where an undo went over it there is a chunk, which holds nothing.
-    static_cast<void>(world_.reloadEmpty(chunk));
-    options_.land(world_, chunk);
+    static_cast<void>(land.unload(
+        chunk, [&](Cell, std::span<const std::byte> bytes) { isThere = world_.reload(bytes).has_value(); }));
+    if (isThere || !land.firstUnloaded(chunk)) return true;
+    // There is a chunk. What the game has built there stays: what would overlap that is refused.
+    World anew(options_.preserve);
+    options_.land(anew, chunk);
+    anew.forEachPolygon(
+        chunk, [&](Cell cell, const PlacedPolygon& p) { static_cast<void>(world_.add(cell, p.vertices, p.block)); });
+    return true;
   }
   /// An undo took away land that was made since; at that time nothing was dug there.
   void remakeLand() {
@@ -489,7 +520,11 @@ class Ground {
       if (at >= now_) again.push_back(corner);
     if (again.empty()) return;
     std::erase_if(newLand_, [&](const auto& land) { return land.second >= now_; });
-    for (const Cell corner : again) makeChunk(corner);
+    for (const Cell corner : again) {
+      if (makeChunk(corner)) continue;
+      made_.erase(corner);  // by the next window()
+      isWindowWhole_ = false;
+    }
     unloadOutside(world_, window_, options_.shelf);
     commit();
   }
@@ -499,7 +534,8 @@ class Ground {
     for (const Fallen& f : fallen_) {
       if (!f.isInAir) continue;
       if (f.parts == 0) {
-        rocks.push_back(isNull(f.handle) ? f.rock : host_.read(f.handle));
+        Rock is = isNull(f.handle) ? f.rock : host_.read(f.handle);
+        rocks.push_back(isSound(is) ? std::move(is) : f.rock);
         continue;
       }
       std::size_t most = kAll;
@@ -518,6 +554,7 @@ class Ground {
   std::vector<Fallen> fallen_;         // rocks, of now and of what can be undone or redone
   std::uint64_t steps_ = 0;            // how often rocks could settle
   std::size_t next_ = 0;               // which of them looks first whether it can settle
+  bool mayLackLand_ = false;           // after a load land that would hold what is in memory may not be made yet
   bool looksAtAll_ = false;            // something may hang in the air that no update will name
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
   CellRect leaving_ = window_;                          // what is in memory and not in the window is in it

@@ -42,8 +42,9 @@ struct GroundOptions {
   AtEdge atEdge = AtEdge::holds;  ///< with `open`, what no anchor in memory holds falls at the edge of memory
   PreserveRelation preserve{};    ///< of its world
   StayingBlocks staying{};        ///< what dig() and paint() go around
-  /// Makes the land of a chunk that was never loaded, with edits inside its cells alone, which hold nothing: the same
-  /// for the same chunk, in whichever world and whenever it is called. Empty: there is none but what the game edits.
+  /// Makes the land of a chunk that was never loaded, with edits inside its cells alone, in a world of its own: the same
+  /// for the same chunk, whenever it is called. What strokes have made in the chunk before stays: polygons of the land
+  /// that would overlap it are left out. Empty: there is none but what the game edits.
   std::function<void(World& land, const CellRect& chunk)> land{};
   Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
   /// How many chunks window() makes, brings in and takes out in one call, at least one: so a game spreads over several
@@ -82,8 +83,12 @@ struct GroundDrawing {
 /// Squares that look different since they were drawn.
 class ChangedSquares {
  public:
-  void note(Cell cell);           ///< a cell changed
-  void note(const World& world);  ///< all of a world did
+  void note(Cell cell);                   ///< a cell changed
+  void note(const World& world);          ///< all of a world did
+  void noteSides(const CellRect& chunk);  ///< what is beside them may look different
+  /// What is not in memory may have changed, by an undo: then the outline beside it did, in a window, and no cell is
+  /// named for it.
+  void noteBesideUnloaded(const World& world, const CellRect& window);
   /// Forgets them.
   [[nodiscard]] std::vector<GroundDrawing> draw(const World& world);
 
@@ -92,11 +97,14 @@ class ChangedSquares {
   std::set<Cell> corners_;
 };
 
+/// Whether a rock lies and moves as Box2D can take it: all is finite, and less than 10^9; cosine and sine are a rotation.
+[[nodiscard]] bool isSound(const Rock& rock);
+
 /// The bytes of a rock, behind what is in `out`.
 void putRock(std::vector<std::byte>& out, const Rock& rock);
 
-/// A rock from the beginning of bytes, which are left out then. Nothing, if these are not the bytes of one. Whether its
-/// polygons are good is seen when it is put somewhere.
+/// A rock from the beginning of bytes, which are left out then. Nothing, if these are not the bytes of one: it is sound,
+/// and a world can hold its polygons.
 [[nodiscard]] std::optional<Rock> takeRock(std::span<const std::byte>& bytes);
 
 /// The cells of the chunk that a cell is in, as far as they are in range.
@@ -160,6 +168,7 @@ class NoPhysics {
 
   // What a Ground needs of a physics engine; every host has these.
 
+  static bool isThere() { return true; }                     ///< whether there is still a physics engine
   static bool isSame(Handle a, Handle b) { return a == b; }  ///< whether both name the same body
   void show(const Changes& /*changes*/) {}                   ///< after each commit and roll-back
   void showAll() {}                                          ///< after a load
@@ -170,8 +179,8 @@ class NoPhysics {
   void hold(Handle /*handle*/) {}                  ///< it stands still from now on, and is in no one's way
   bool lies(Handle /*handle*/) { return false; }   ///< whether it is at rest
   bool isHeld(Handle /*handle*/) { return true; }  ///< whether it would not fall again, as far as that is known
-  /// Puts it into the ground, as an edit; its body goes. Refused: overlap, if it lies on whole cells and something is
-  /// there; as by putAsItLies().
+  /// Puts it into the ground, as an edit; its body goes. Refused: overlap, where ground is in its way, by more than a
+  /// hundredth of a cell along its sides; as by put() and putAsItLies().
   Expected<void> settle(Handle handle);
   void destroy(Handle handle) { rocks_.erase(handle); }  ///< its body goes
   bool dropGone() { return false; }  ///< forgets rocks whose bodies the game destroyed; whether there were any

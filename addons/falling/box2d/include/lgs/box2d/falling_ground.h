@@ -76,7 +76,7 @@ class FallingGround {
   /// One that Box2D can make no shape of has a null body, and is not among bodies(). Cost: as of convexParts().
   std::vector<Falling> afterSync() {
     if (world_.version() != wentTo_) undone_.clear();  // after an edit nothing is done again
-    dropGone();
+    findGone();
     std::vector<Falling> made;
     for (Falling& falling : waiting_) made.push_back(make(std::move(falling)));
     waiting_.clear();
@@ -88,7 +88,7 @@ class FallingGround {
   /// made again, where its ground was. What an undone settle() has taken out of the ground is not made again. Cost: a
   /// look at each body; as of afterSync().
   RolledBack afterRollBack() {
-    dropGone();
+    findGone();
     RolledBack out;
     const auto isGround = [&](const Falling& f) { return f.was && world_.polygon(f.was).has_value(); };
     std::vector<Falling> again;
@@ -101,7 +101,7 @@ class FallingGround {
       undone_.push_back(std::move(f));
       return true;
     });
-    dropGone();
+    findGone();
     for (Falling& falling : again) out.made.push_back(make(std::move(falling)));
     wentTo_ = world_.version();
     return out;
@@ -114,14 +114,11 @@ class FallingGround {
   /// Takes a body of the game's that is made of ground: one that was forgotten, say. From here on it can be settled.
   void add(BodyHandle body, Body ground) { keep({body, std::move(ground), {}}); }
 
-  /// Forgets bodies that were destroyed without forget(), and returns whether there were any. Cost: a look at each body
+  /// Forgets bodies that were destroyed without forget(), and returns whether there were any since the last call. Cost: a look at each body
   /// of the physics world in Box2D 2.4, at each of bodies() in 3.
   bool dropGone() {
-    known_.eraseIf([](BodyHandle) { return false; });
-    const auto isGone = [&](const Falling& f) {
-      return std::ranges::none_of(known_.all(), [&](BodyHandle one) { return one == f.body; });
-    };
-    return known_.all().size() != bodies_.size() && std::erase_if(bodies_, isGone) > 0;
+    findGone();
+    return std::exchange(hasDropped_, false);
   }
 
   /// All bodies that there are.
@@ -143,7 +140,7 @@ class FallingGround {
 
   /// How settle() would put a body, for a game that does so in parts. Refused: as settle(), but for putAsItLies().
   Expected<Placing> placingOf(BodyHandle body) {
-    dropGone();
+    findGone();
     if (find(body) == bodies_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     const Place down = downOf(physics_);
     const double slop = slopOf(physics_), depth = restingGap(physics_) + slop;
@@ -167,6 +164,14 @@ class FallingGround {
   }
 
  private:
+  /// The next dropGone() says so, too.
+  void findGone() {
+    known_.eraseIf([](BodyHandle) { return false; });
+    const auto isGone = [&](const Falling& f) {
+      return std::ranges::none_of(known_.all(), [&](BodyHandle one) { return one == f.body; });
+    };
+    if (known_.all().size() != bodies_.size() && std::erase_if(bodies_, isGone) > 0) hasDropped_ = true;
+  }
   static bool isNull(BodyHandle body) { return body == BodyHandle{}; }
   Falling make(Falling falling) {
     const Body& ground = falling.ground;
@@ -183,7 +188,7 @@ class FallingGround {
     return falling;
   }
   void keep(Falling falling) {
-    dropGone();
+    findGone();
     known_.add(falling.body);
     bodies_.push_back(std::move(falling));
   }
@@ -204,6 +209,7 @@ class FallingGround {
   std::vector<Falling> bodies_;
   detail::KnownBodies known_;    // those of bodies_
   std::vector<Falling> undone_;  // are ground again, and fall if that is done again
+  bool hasDropped_ = false;      // since the last dropGone()
   std::uint64_t wentTo_ = 0;     // the version of the world at the last afterRollBack()
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <vector>
@@ -39,16 +40,22 @@ inline double widthOf(const std::vector<Place>& corners) {
   return width;
 }
 
-/// The parts of a body that are wider than Box2D's slop: of narrower ones it makes no shape.
+/// The parts of a body that are wider than Box2D's slop, as `float` has their corners: of narrower ones it makes no shape.
 inline std::vector<FallingPart> fallingParts(const std::vector<ConvexPart>& parts, double cellSize, double slop) {
   const double scale = cellSize / kUnitsPerCell;
+  const auto rounded = [&](std::int64_t units) {
+    return static_cast<double>(static_cast<float>(static_cast<double>(units) * scale));
+  };
   std::vector<FallingPart> out;
   for (const ConvexPart& part : parts) {
     FallingPart p{part.block, {}};
-    for (const Point v : part.vertices)
-      p.corners.push_back({static_cast<double>(v.x) * scale, static_cast<double>(v.y) * scale});
-    // A tenth more, as for edges: it must still be wide enough after rounding to `float`.
-    if (widthOf(p.corners) > 1.1 * slop) out.push_back(std::move(p));
+    for (const Point v : part.vertices) {
+      const Place at{rounded(v.x), rounded(v.y)};
+      const auto isThere = [&](const Place& c) { return c.x == at.x && c.y == at.y; };
+      if (std::ranges::none_of(p.corners, isThere)) p.corners.push_back(at);
+    }
+    // A tenth more, as for edges.
+    if (p.corners.size() > 2 && widthOf(p.corners) > 1.1 * slop) out.push_back(std::move(p));
   }
   return out;
 }

@@ -29,6 +29,18 @@ class GroundHost {
         falling_(physics, world, terrain_, std::move(falling)),
         away_(physics) {}
 
+  /// Bodies outside of the window are enabled.
+  ~GroundHost() {
+    if (!isThere()) return;
+    away_.eraseIf([](BodyHandle body) {
+      if (!isEnabled(body)) enable(body, true);
+      return true;
+    });
+  }
+
+  GroundHost(const GroundHost&) = delete;
+  GroundHost& operator=(const GroundHost&) = delete;
+
   Terrain& terrain() { return terrain_; }  ///< for questions, and for moved()
 
   /// Bodies outside of the window: disabled until it is there again.
@@ -36,6 +48,8 @@ class GroundHost {
 
   // What a Ground needs: see NoPhysics.
 
+  /// Whether there is a physics world; one of Box2D 3 may be gone before this.
+  bool isThere() const { return isPhysicsThere(physics_); }
   /// Whether both are one body.
   static bool isSame(BodyHandle a, BodyHandle b) { return a == b; }
   /// Syncs the terrain.
@@ -61,6 +75,7 @@ class GroundHost {
               {{static_cast<float>(rock.velocity.x * size), static_cast<float>(rock.velocity.y * size)},
                static_cast<float>(rock.spin)});
     noteWhereItIs(terrain_, body);
+    if (isAway(body)) setAway(body);
     return body;
   }
   /// The rock that a body is, where it is now.
@@ -134,15 +149,18 @@ class GroundHost {
     const Cell cell = terrain_.cellAt(middleOfMass(body));
     return !contains(window_, cell) || world_.firstUnloaded({cell, cell});
   }
+  void setAway(BodyHandle body) {
+    // The game may have destroyed some since.
+    away_.eraseIf([](BodyHandle) { return false; });
+    enable(body, false);
+    away_.add(body);
+  }
   void disableAway(bool moved) {
     std::vector<BodyHandle> away;
     forEachBody(physics_, terrain_, moved, [&](BodyHandle body) {
       if (isAway(body)) away.push_back(body);
     });
-    for (const BodyHandle body : away) {
-      enable(body, false);
-      away_.add(body);
-    }
+    for (const BodyHandle body : away) setAway(body);
   }
 
   static constexpr float kSlow = 0.05F, kSlowSpin = 0.05F;  // metres and radians a second

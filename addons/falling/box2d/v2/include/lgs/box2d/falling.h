@@ -4,10 +4,13 @@
 #include <lgs/box2d/falling_parts.h>
 #include <lgs/box2d/terrain.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace lgs::box2d {
+
+inline bool isPhysicsThere(b2World& /*physics*/) { return true; }
 
 /// Of one step down, as gravity pulls: where there is none the length is 0.
 inline Place downOf(b2World& physics) {
@@ -42,7 +45,9 @@ b2Body* makeBody(b2World& physics, b2Vec2 at, const std::vector<FallingPart>& pa
   b2MassData data;
   data.mass = static_cast<float>(mass.mass);
   data.center = center;
-  data.I = static_cast<float>(mass.inertia) + data.mass * b2Dot(center, center);  // about the origin
+  const float ofMiddle = data.mass * b2Dot(center, center);
+  // About the origin. Box2D takes the part of the middle off again, and of a body far from its origin nothing may be left.
+  data.I = std::max(static_cast<float>(mass.inertia) + ofMiddle, std::nextafter(ofMiddle, HUGE_VALF));
   body->SetMassData(&data);
   return body;
 }

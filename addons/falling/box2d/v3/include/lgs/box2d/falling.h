@@ -13,6 +13,8 @@ namespace lgs::box2d {
 /// Ids of Box2D are plain structs.
 inline bool operator==(b2BodyId a, b2BodyId b) { return B2_ID_EQUALS(a, b); }
 
+inline bool isPhysicsThere(b2WorldId physics) { return b2World_IsValid(physics); }
+
 /// Of one step down, as gravity pulls: where there is none the length is 0.
 inline Place downOf(b2WorldId physics) {
   const b2Vec2 g = b2World_GetGravity(physics);
