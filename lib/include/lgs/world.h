@@ -314,9 +314,8 @@ class World {
   /// which no other cell is named is named by one that is empty both times. After a roll-back these are the cells that
   /// were edited, and committed, since the last commit before the mark; `now` is as of that commit, and edits that were
   /// pending at the mark are reported by the next commit. So it is after redo(), with what comes back. A cell is
-  /// named even if it holds again what it held. Cells of chunks that are not in memory are not named, though a roll-back
-  /// may have changed them, and with them the outline beside them. Empty if nothing is followed, or nothing changed.
-  /// Valid until the next edit, commit or roll-back. Cost: O(1).
+  /// named even if it holds again what it held, but not in a chunk out of memory, where a roll-back changes the ground,
+  /// too. Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost: O(1).
   std::span<const CellChange> cellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
