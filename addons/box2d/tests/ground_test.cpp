@@ -140,6 +140,7 @@ TEST_F(GroundOfBox2d, ARockThatIsWalledInStaysThereAfterALoad) {
       ground.save([&](std::span<const std::byte> bytes) { saved.insert(saved.end(), bytes.begin(), bytes.end()); }));
   ASSERT_TRUE(ground.load(saved));
   play(200);
+  EXPECT_EQ(rocks(), 1U);
   ground.forEachRock(
       [&](auto rock, const auto&) { EXPECT_GT(positionOf(rock).y, 20) << "it fell through the ground"; });
 }

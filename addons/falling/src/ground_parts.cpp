@@ -224,8 +224,8 @@ bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf, std:
   return true;
 }
 
-// A copy gives the bytes, so that nothing leaves the world itself. What an undo owes to a chunk on the shelf is paid when
-// it comes back: so each of them comes back, and leaves again.
+// A copy gives the bytes, so that nothing leaves the world itself. What an undo owes to a chunk on the shelf is paid
+// when it comes back: so each of them comes back, and leaves again.
 Expected<void> saveGround(const World& world, const Shelf& shelf, const std::vector<Rock>& rocks,
                           const std::vector<Cell>& land, const ByteSink& sink) {
   World copy = world;

@@ -12,8 +12,8 @@ namespace lgs::test {
 inline constexpr Block kStone = 1, kBedrock = 2, kWood = 3;
 inline constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
 
-/// Ground up to row 20, with caves, on bedrock in row 0. Here and there a slab hangs above it, and a beam, which is held
-/// in the next chunk. Nothing else is above row 26 and below row 0.
+/// Ground up to row 20, with caves, on bedrock in row 0. Here and there a slab hangs above it, and a beam, which is
+/// held in the next chunk. Nothing else is above row 26 and below row 0.
 inline void hills(World& land, const CellRect& chunk) {
   if (chunk.min.j != 0) return;
   const ShapeId square = land.shape(kUnitSquare).value();

@@ -154,9 +154,9 @@ class Ground {
 
   // --- Saving
 
-  /// All ground, in memory or on the shelf, and all rocks; no steps of undo. A rock of which a part is ground is ground.
-  /// Refused: unloaded, where the shelf did not give a chunk. Cost: a copy of what is in memory, and each chunk on the
-  /// shelf once.
+  /// All ground, in memory or on the shelf, and all rocks; no steps of undo. A rock of which a part is ground is
+  /// ground. Refused: unloaded, where the shelf did not give a chunk. Cost: a copy of what is in memory, and each chunk
+  /// on the shelf once.
   Expected<void> save(const ByteSink& sink) {
     dropGone();
     const std::vector<Cell> land(made_.begin(), made_.end());
@@ -168,8 +168,8 @@ class Ground {
     return saveGround(whole, options_.shelf, rocks, land, sink);
   }
   /// What was saved takes the place of all that is there. What hangs in the air falls; with GroundOptions::land as soon
-  /// as a window() is true, as land that is not made yet may hold it. False, and nothing is changed, if these are not the
-  /// bytes of a save: cut ones, say. Damaged ones that are taken are ground and rocks like others.
+  /// as a window() is true, as land that is not made yet may hold it. False, and nothing is changed, if these are not
+  /// the bytes of a save: cut ones, say. Damaged ones that are taken are ground and rocks like others.
   bool load(std::span<const std::byte> bytes) {
     auto loaded = loadGround(bytes, options_.preserve, window_, options_.shelf);
     if (!loaded) return false;
@@ -198,8 +198,8 @@ class Ground {
 
   /// The squares that look different since the last call, the first time all.
   std::vector<GroundDrawing> draw() { return squares_.draw(world_); }
-  /// Calls visit(handle, ground) for each rock in the air. A null handle has no body, as all of it is too thin. The visit
-  /// collects those that it is to settle() or forget().
+  /// Calls visit(handle, ground) for each rock in the air. A null handle has no body, as all of it is too thin. The
+  /// visit collects those that it is to settle() or forget().
   template <class Visit>
   void forEachRock(const Visit& visit) const {
     for (const Fallen& f : fallen_)
@@ -216,8 +216,8 @@ class Ground {
     return found->parts == 0 ? settle(*found) : putParts(*found, found->inParts->count());
   }
   /// For a rock whose body the game destroys or keeps: it is not the ground's any more. Nothing happens to one of which
-  /// a part is ground, and to those without a body. A destroyed one that was not forgotten is found in the next step(), undo(), redo(), save(),
-  /// load() or settle(), before anything of it is used.
+  /// a part is ground, and to those without a body. A destroyed one that was not forgotten is found in the next step(),
+  /// undo(), redo(), save(), load() or settle(), before anything of it is used.
   void forget(Handle handle) {
     if (isNull(handle)) return;
     std::erase_if(fallen_,
@@ -463,8 +463,8 @@ class Ground {
     }
     return true;
   }
-  /// Where nothing else has happened since the last mark, it is made anew behind the land: so the undo of the next stroke
-  /// does not take that away.
+  /// Where nothing else has happened since the last mark, it is made anew behind the land: so the undo of the next
+  /// stroke does not take that away.
   void keepLand() {
     const auto isOfNow = [&](const Fallen& f) {
       return f.took == now_ || f.settled == now_ || std::ranges::binary_search(f.puts, now_);
@@ -528,7 +528,8 @@ class Ground {
     unloadOutside(world_, window_, options_.shelf);
     commit();
   }
-  /// Those of which a part is ground become ground in `world`, as far as it takes them. If there are none it may be null.
+  /// Those of which a part is ground become ground in `world`, as far as it takes them. If there are none it may be
+  /// null.
   std::vector<Rock> rocksAsValues(World* world) {
     std::vector<Rock> rocks;
     for (const Fallen& f : fallen_) {

@@ -42,9 +42,9 @@ struct GroundOptions {
   AtEdge atEdge = AtEdge::holds;  ///< with `open`, what no anchor in memory holds falls at the edge of memory
   PreserveRelation preserve{};    ///< of its world
   StayingBlocks staying{};        ///< what dig() and paint() go around
-  /// Makes the land of a chunk that was never loaded, with edits inside its cells alone, in a world of its own: the same
-  /// for the same chunk, whenever it is called. What strokes have made in the chunk before stays: polygons of the land
-  /// that would overlap it are left out. Empty: there is none but what the game edits.
+  /// Makes the land of a chunk that was never loaded, with edits inside its cells alone, in a world of its own: the
+  /// same for the same chunk, whenever it is called. What strokes have made in the chunk before stays: polygons of the
+  /// land that would overlap it are left out. Empty: there is none but what the game edits.
   std::function<void(World& land, const CellRect& chunk)> land{};
   Shelf shelf = shelfInMemory();  ///< where chunks outside of the window are
   /// How many chunks window() makes, brings in and takes out in one call, at least one: so a game spreads over several
@@ -97,14 +97,15 @@ class ChangedSquares {
   std::set<Cell> corners_;
 };
 
-/// Whether a rock lies and moves as Box2D can take it: all is finite, and less than 10^9; cosine and sine are a rotation.
+/// Whether a rock lies and moves as Box2D can take it: all is finite, and less than 10^9; cosine and sine are a
+/// rotation.
 [[nodiscard]] bool isSound(const Rock& rock);
 
 /// The bytes of a rock, behind what is in `out`.
 void putRock(std::vector<std::byte>& out, const Rock& rock);
 
-/// A rock from the beginning of bytes, which are left out then. Nothing, if these are not the bytes of one: it is sound,
-/// and a world can hold its polygons.
+/// A rock from the beginning of bytes, which are left out then. Nothing, if these are not the bytes of one: it is
+/// sound, and a world can hold its polygons.
 [[nodiscard]] std::optional<Rock> takeRock(std::span<const std::byte>& bytes);
 
 /// The cells of the chunk that a cell is in, as far as they are in range.

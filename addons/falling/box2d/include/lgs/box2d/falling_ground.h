@@ -51,8 +51,8 @@ struct RolledBack {
   std::vector<Falling> made;  ///< fall again
 };
 
-/// The ground of one world that falls. What it makes is the game's to move. Code that destroys a body calls forget(); if
-/// it does not, the next call here but bodies() finds that out, and the ground that the body was is lost with it.
+/// The ground of one world that falls. What it makes is the game's to move. Code that destroys a body calls forget();
+/// if it does not, the next call here but bodies() finds that out, and the ground that the body was is lost with it.
 class FallingGround {
  public:
   /// All of them must outlive it and stay where they are.
@@ -114,8 +114,8 @@ class FallingGround {
   /// Takes a body of the game's that is made of ground: one that was forgotten, say. From here on it can be settled.
   void add(BodyHandle body, Body ground) { keep({body, std::move(ground), {}}); }
 
-  /// Forgets bodies that were destroyed without forget(), and returns whether there were any since the last call. Cost: a look at each body
-  /// of the physics world in Box2D 2.4, at each of bodies() in 3.
+  /// Forgets bodies that were destroyed without forget(), and returns whether there were any since the last call. Cost:
+  /// a look at each body of the physics world in Box2D 2.4, at each of bodies() in 3.
   bool dropGone() {
     findGone();
     return std::exchange(hasDropped_, false);

@@ -40,7 +40,8 @@ inline double widthOf(const std::vector<Place>& corners) {
   return width;
 }
 
-/// The parts of a body that are wider than Box2D's slop, as `float` has their corners: of narrower ones it makes no shape.
+/// The parts of a body that are wider than Box2D's slop, as `float` has their corners: of narrower ones it makes no
+/// shape.
 inline std::vector<FallingPart> fallingParts(const std::vector<ConvexPart>& parts, double cellSize, double slop) {
   const double scale = cellSize / kUnitsPerCell;
   const auto rounded = [&](std::int64_t units) {
