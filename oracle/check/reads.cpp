@@ -157,9 +157,6 @@ std::optional<WrongRead> readPolygons(const Player& player) {
         if (none || none.error().code != ErrorCode::unloaded || none.error().cell != cell)
           return WrongRead{fmt::format("'{}' is not in memory, and its handle does not say so", placed.name)};
       }
-  if (player.world().bounds() != leastRect(model))
-    return WrongRead{"bounds() is not the least rectangle of all polygons"};
-  if (auto wrong = readShapes(player.world())) return wrong;
   const Stats stats = player.world().stats();
   const auto differs = [](const char* of, std::uint64_t actual, std::uint64_t expected) {
     return WrongRead{fmt::format("stats() counts {} {}, but there should be {}", actual, of, expected)};
@@ -169,7 +166,9 @@ std::optional<WrongRead> readPolygons(const Player& player) {
   const std::size_t chunks = player.model().chunks();
   if (stats.chunks != chunks) return differs("chunks", stats.chunks, chunks);
   if (stats.shapes != player.shapes()) return differs("shapes", stats.shapes, player.shapes());
-  return std::nullopt;
+  if (player.world().bounds() != leastRect(model))
+    return WrongRead{"bounds() is not the least rectangle of all polygons"};
+  return readShapes(player.world());
 }
 
 std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments, bool isAway) {

@@ -249,6 +249,8 @@ void addDoorsOfBodies(Doors& door) {
        });
   door("putPart(World&, span<const LyingBlock>)",
        [](Scene& s, const Body& body, const Placing& placing) -> Expected<void> {
+         constexpr double kLarge = 64;  // a part so many times its size is painted for minutes
+         if (std::abs(placing.cosine) > kLarge || std::abs(placing.sine) > kLarge) return {};
          const auto parts = partsAsTheyLie(body, placing, 2);
          if (!parts || parts->empty()) return {};
          return putPart(s.world, parts->front());
