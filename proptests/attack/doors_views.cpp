@@ -5,6 +5,7 @@
 
 #include <lgs/falling.h>
 
+#include <cmath>
 #include <limits>
 
 namespace lgs::test {

@@ -206,7 +206,7 @@ function suffer(game, how, told) {
 }
 
 for (const [name, how, runs] of [['without physics', {}, 12], ['with planck', { withPlanck: true }, 15],
-  ['over land', { withLand: true }, 6], ['over land with planck', { withLand: true, withPlanck: true }, 4]])
+  ['over land', { withLand: true }, 12], ['over land with planck', { withLand: true, withPlanck: true }, 8]])
   test(`functions that throw or change the ground, ${name}: each call is done or refused, and the next one works`, (t) => {
     const told = new Set()
     fc.assert(fc.property(troubles, (game) => suffer(game, how, told)), { numRuns: runs * scale })
