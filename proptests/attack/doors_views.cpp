@@ -246,7 +246,7 @@ void addDoorsOfBodies(Doors& door) {
        [](Scene& s, const Body& body, const Placing& placing) { return putAsItLies(s.world, body, placing); });
   door("partsAsTheyLie(const Body&, const Placing&, size_t)",
        [](Scene&, const Body& body, const Placing& placing, bool isSmall) {
-         return partsAsTheyLie(body, placing, isSmall ? 1 : 64).has_value();
+         return partsAsTheyLie(body, placing, isSmall ? 0 : 64).has_value();
        });
   door("putPart(World&, span<const LyingBlock>)",
        [](Scene& s, const Body& body, const Placing& placing) -> Expected<void> {

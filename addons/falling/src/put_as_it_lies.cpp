@@ -48,6 +48,7 @@ std::vector<LyingBlock> coveredBy(const World& world, const Placing& placing) {
 // A part and a block have a name together, in this order. So what lies between two parts is kept, too.
 Expected<std::vector<std::vector<LyingBlock>>> partsAsTheyLie(const Body& body, const Placing& placing,
                                                               std::size_t polygonsAtOnce) noexcept {
+  polygonsAtOnce = std::max<std::size_t>(polygonsAtOnce, 1);
   std::vector<std::pair<std::size_t, Block>> named;
   for (std::size_t k = 0; k < body.polygons.size(); ++k) named.emplace_back(k / polygonsAtOnce, body.polygons[k].block);
   std::vector<std::pair<std::size_t, Block>> known = named;
@@ -67,7 +68,7 @@ Expected<std::vector<std::vector<LyingBlock>>> partsAsTheyLie(const Body& body, 
 }
 
 Expected<void> putAsItLies(World& world, const Body& body, const Placing& placing) noexcept {
-  const auto parts = partsAsTheyLie(body, placing, std::max<std::size_t>(body.polygons.size(), 1));
+  const auto parts = partsAsTheyLie(body, placing, body.polygons.size());
   if (!parts) return tl::unexpected(parts.error());
   Transaction group = world.edit();
   for (const std::vector<LyingBlock>& part : *parts)

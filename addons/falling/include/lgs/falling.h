@@ -54,7 +54,7 @@ struct LyingBlock {
 };
 
 /// The same in parts, to be put one after the other in several frames, as a body of hundreds of polygons takes
-/// milliseconds: so many polygons each (1 or more), in the order of the body. All of them make up what putAsItLies()
+/// milliseconds: so many polygons each (0 counts as 1), in the order of the body. All of them make up what putAsItLies()
 /// paints; edges between two parts stay shared. Refused: as by put(), for a body that fits nowhere. Cost: O(n log n) for
 /// its vertices.
 [[nodiscard]] Expected<std::vector<std::vector<LyingBlock>>> partsAsTheyLie(const Body& body, const Placing& placing,
