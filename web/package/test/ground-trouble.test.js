@@ -209,7 +209,9 @@ for (const [name, how, runs] of [['without physics', {}, 12], ['with planck', { 
   ['over land', { withLand: true }, 12], ['over land with planck', { withLand: true, withPlanck: true }, 8]])
   test(`functions that throw or change the ground, ${name}: each call is done or refused, and the next one works`, (t) => {
     const told = new Set()
-    fc.assert(fc.property(troubles, (game) => suffer(game, how, told)), { numRuns: runs * scale })
+    // Few games may meet few kinds of trouble by chance; then there are more of them.
+    for (let round = 0; round === 0 || (told.size < 4 && round < 20); ++round)
+      fc.assert(fc.property(troubles, (game) => suffer(game, how, told)), { numRuns: runs * scale })
     t.diagnostic([...told].sort().join(', '))
     assert.ok(told.size >= 4)
   })
