@@ -47,7 +47,7 @@ void ended(Scene& s) {
 }
 
 /// Changes that a view may be told: the last ones, early ones, those of others, and what a stranger made up.
-struct Told {
+struct WhatIsTold {
   int which = 0;
   Changes in(Scene& s) const {
     const Followed& f = followedBy(s);
@@ -96,7 +96,7 @@ LGS_VALUES(PieceId, fmt::format("piece {} of ({}, {})", v.index, v.cell.i, v.cel
            {{1, 0}, 0}, {{0, 0}, 1}, {{2, 4}, 0xffff'ffff}, {{kLeast, kMost}, 0}, {{kMaxCell, -kMaxCell}, 0},
            {{kMaxCell + 1, 0}, 0})
 LGS_VALUES(Part, fmt::format("part {}", static_cast<unsigned>(v)), Part::solid, Part::free, Part{2}, Part{255})
-LGS_VALUES(Told, fmt::format("changes {}", v.which), {0}, {1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}, {9}, {10}, {11})
+LGS_VALUES(WhatIsTold, fmt::format("changes {}", v.which), {0}, {1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}, {9}, {10}, {11})
 LGS_VALUES(Body, fmt::format("a body of {} from ({}, {})", v.polygons.size(), v.origin.i, v.origin.j),
            bodyOf({0, 9}, polygonsToFall()), Body{}, bodyOf({kLeast, kMost}, polygonsToFall()),
            bodyOf({0, 0}, {{{kMost, kMost}, 1, unitSquare()}, {{kLeast, kLeast}, 1, unitSquare()}}),
@@ -147,7 +147,7 @@ void addDoorsOfViews(Doors& door) {
   door("Loops::operator=(const Loops&)", assignedToItself<&Followed::loops>);
   door("Loops::Loops(Loops&&)", moved<&Followed::loops>);
   door("Loops::operator=(Loops&&)", moveAssigned<&Followed::loops>);
-  door("Loops::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
+  door("Loops::update(const World&, const Changes&)", [](Scene& s, bool isOther, const WhatIsTold& told) {
     const Followed& f = followedBy(s);
     Loops copy = *f.loops;  // which is out of step, if lists are made up well enough
     static_cast<void>(copy.update(isOther ? f.other : f.world, told.in(s)));
@@ -177,7 +177,7 @@ void addDoorsOfViews(Doors& door) {
   door("Islands::operator=(const Islands&)", assignedToItself<&Followed::islands>);
   door("Islands::Islands(Islands&&)", moved<&Followed::islands>);
   door("Islands::operator=(Islands&&)", moveAssigned<&Followed::islands>);
-  door("Islands::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
+  door("Islands::update(const World&, const Changes&)", [](Scene& s, bool isOther, const WhatIsTold& told) {
     const Followed& f = followedBy(s);
     Islands copy = *f.islands;
     static_cast<void>(copy.update(isOther ? f.other : f.world, told.in(s)));
@@ -269,7 +269,7 @@ void addDoorsOfPieces(Doors& door) {
   door("Pieces::operator=(const Pieces&)", assignedToItself<&Followed::pieces>);
   door("Pieces::Pieces(Pieces&&)", moved<&Followed::pieces>);
   door("Pieces::operator=(Pieces&&)", moveAssigned<&Followed::pieces>);
-  door("Pieces::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
+  door("Pieces::update(const World&, const Changes&)", [](Scene& s, bool isOther, const WhatIsTold& told) {
     const Followed& f = followedBy(s);
     Pieces copy = *f.pieces;
     static_cast<void>(copy.update(isOther ? f.other : f.world, told.in(s)));

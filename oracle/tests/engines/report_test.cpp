@@ -82,7 +82,7 @@ TEST_F(Reports, NameAnEngineAsTextAndNothingElse) {
 TEST_F(Reports, HaveEachKindOfFinding) {
   for (const auto& [kind, replaced] : kCanaries)
     expectKinds("--engine \"" + naiveWith(replaced) + "\"" + (kind == "refusal" ? " --edits 1000" : "") +
-                    (kind == "hang" ? " --engine-timeout 1" : ""),
+                    (kind == "hang" ? " --engine-timeout 3" : ""),
                 {kind});
 }
 
