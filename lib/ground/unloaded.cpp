@@ -156,21 +156,28 @@ std::uint32_t Ground::lastSerialIn(std::uint32_t number) {
 }
 
 /// None of its serials is given out again, nor one of what was undone and may be redone, which is gone then. What was
-/// undone for good gave out none (law 12).
+/// undone for good gave out none (law 12). Where another chunk had its number, that one's notes are left alone.
 void Ground::loadEmpty(std::uint32_t number) {
   std::uint32_t lastSerial = lastSerialIn(number);
+  const std::pair place = *grid.placeOf(number);
+  const bool withUndone = std::ranges::none_of(journal.undone(), [&](const Note& note) {
+    const std::pair then{static_cast<std::int32_t>(note.value), static_cast<std::int32_t>(note.block)};
+    return note.thing == Thing::chunk && note.key == number && then != place;
+  });
   const auto isOfChunk = [&](const Note& note) {
     return note.thing == Thing::cell && note.key / kChunkCells == number;
   };
-  journal.forEach([&](const Note& note) {
+  const auto look = [&](const Note& note) {
     if (isOfChunk(note)) lastSerial = std::max(lastSerial, Cells::lastSerial(held(note)));
-  });
-  journal.forEach([&](Note& note) {
+  };
+  journal.forEach(look, withUndone);
+  const auto giveUp = [&](Note& note) {
     if (note.thing == Thing::chunk && note.key == number) note.isGivenUp = true;
     if (!isOfChunk(note)) return;
     dropMoved(note.value, journal);
     note.value = moveOut(emptyWord(lastSerial), journal);
-  });
+  };
+  journal.forEach(giveUp, withUndone);
   CellMask known;
   Chunk& chunk = load(number, known);
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {

@@ -104,10 +104,13 @@ class Journal {
     for (const Note& note : undone_) visit(note);
   }
   template <class Visit>
-  void forEach(Visit&& visit) {
+  void forEach(Visit&& visit, bool withUndone) {
     for (Note& note : std::span(notes_).subspan(dropped_)) visit(note);
+    if (!withUndone) return;
     for (Note& note : undone_) visit(note);
   }
+  /// What was undone and can come back, the first to come back last.
+  std::span<const Note> undone() const { return undone_; }
   /// Whether moments and notes are in order.
   bool isValid() const;
 

@@ -30,7 +30,8 @@ History::History(const History& other, Ground& ground, Outline& outline)
       redoShapes_(other.redoShapes_),
       undoneShapes_(other.undoneShapes_),
       committed_(other.committed_),
-      cellChanges_(other.cellChanges_) {
+      cellChanges_(other.cellChanges_),
+      versionBefore_(other.versionBefore_) {
   for (std::size_t k = marks_.size(); k-- != 0;)
     if (marks_[k].of == Of::group) forget(marks_[k].mark);
 }
@@ -118,8 +119,13 @@ bool History::isUnedited() const {
          std::ranges::none_of(ground_.journal.since(redoFrom_), isOfEdit);
 }
 
+/// A chunk that was unloaded after an edit made it stays when that is undone. What is ahead may need its number.
 bool History::isAhead(Mark mark) const {
-  return std::ranges::find(ahead_, mark, &Marked::mark) != ahead_.end() && isUnedited();
+  const auto found = std::ranges::find(ahead_, mark, &Marked::mark);
+  return found != ahead_.end() && isUnedited() &&
+         std::ranges::none_of(ground_.journal.upTo(found->moment), [&](const Note& note) {
+           return note.thing == Thing::chunk && !note.isMoot && ground_.grid.stateOf(note.key) != ChunkState::none;
+         });
 }
 
 void History::redo(Mark mark, Changes& changes) {
@@ -156,6 +162,7 @@ void History::travel(const Marked& to, bool isFromRedo, std::vector<std::uint32_
     ground_.setChangedCells(to.changed);
   };
   outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, goThere, [&] { return streamAtOnce(to); });
+  versionBefore_ = changes.before;
 }
 
 /// Followers never saw the edits that are pending, here or there: so they are told what is different between the last
@@ -246,6 +253,7 @@ void History::freeSleeping() {
 void History::noteCommit() {
   Journal& journal = ground_.journal;
   if (committed_ != 0) cellChanges_.read(ground_, committed_, CellChanges::Way::forth);
+  versionBefore_ = outline_.changes().before;
   if (ground_.changedChunks().empty()) return;
   if (!journal.isNoted(Thing::commit, 0)) journal.add(Thing::commit, 0);
   if (committed_ == 0) return;
@@ -257,6 +265,7 @@ void History::follow(bool follow) {
   if (follow == (committed_ != 0)) return;
   cellChanges_.clear();
   cellChanges_.forgetStreamed();
+  versionBefore_ = outline_.version();
   if (follow)
     committed_ = ground_.journal.begin();
   else

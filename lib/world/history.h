@@ -86,6 +86,8 @@ class History {
   }
   /// What the last commit, rollBack() or redo() changed, while the ground is followed.
   const CellChanges& cellChanges() const { return cellChanges_; }
+  /// That of the ground before. A commit that finds nothing changes nothing since the version that is there.
+  std::uint64_t versionBeforeCellChanges() const { return versionBefore_; }
 
   std::uint64_t bytes() const;
 
@@ -134,6 +136,7 @@ class History {
   std::vector<InternedShape> undoneShapes_;  ///< the first to come back last
   Moment committed_ = 0;                     ///< the last commit while the ground is followed; otherwise 0
   CellChanges cellChanges_;
+  std::uint64_t versionBefore_ = 0;  ///< these changes
 };
 
 }  // namespace lgs::detail

@@ -324,6 +324,7 @@ Expected<void> World::followCells(bool follow) noexcept {
 bool World::followsCells() const noexcept { return impl_->history.isFollowed(); }
 
 std::span<const CellChange> World::cellChanges() const noexcept { return impl_->history.cellChanges().all(); }
+std::uint64_t World::versionBeforeCellChanges() const noexcept { return impl_->history.versionBeforeCellChanges(); }
 
 // --- Saving
 

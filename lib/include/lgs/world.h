@@ -214,7 +214,8 @@ class World {
   /// come back with their handles, shapes and segment ids. Marks made since the roll-back are invalidated; those
   /// further ahead stay ahead. changesOfRollBack() then returns what this did to the segments. Refused: unknownMark, if
   /// the mark is not ahead, or if something was edited, or a shape made, since the roll-back or redo (and that was not
-  /// undone). Commits, chunks that leave memory and come back, and groups that were not kept do no harm. Cost: as of
+  /// undone), or made a chunk, and was undone while this chunk was unloaded, and the edits that come back make chunks,
+  /// too. Commits, other chunks that leave memory and come back, and groups that were not kept do no harm. Cost: as of
   /// rollBack().
   [[nodiscard]] Expected<void> redo(Mark mark) noexcept;
 
@@ -317,6 +318,8 @@ class World {
   /// named even if it holds again what it held, but not in a chunk out of memory, where a roll-back changes the ground,
   /// too. Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost: O(1).
   std::span<const CellChange> cellChanges() const noexcept;
+  /// The version of the ground before these changes. A view that knows another one has missed some.
+  std::uint64_t versionBeforeCellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
 

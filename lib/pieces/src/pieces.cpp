@@ -113,7 +113,8 @@ Pieces::Pieces(Pieces&&) noexcept = default;
 Pieces& Pieces::operator=(Pieces&&) noexcept = default;
 
 bool Pieces::update(const World& world, const Changes& changes) noexcept {
-  if (!world.followsCells() || changes.before != impl_->version || changes.after != world.version()) return false;
+  if (!world.followsCells() || changes.before != world.versionBeforeCellChanges()) return false;
+  if (changes.before != impl_->version || changes.after != world.version()) return false;
   impl_->version = changes.after;
   impl_->changed.clear();
   for (const CellChange& change : world.cellChanges())

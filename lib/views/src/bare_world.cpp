@@ -67,10 +67,12 @@ void BareWorld::dropForgotten(const World& world, Cell cell) {
 }
 
 const Changes& BareWorld::follow(const World& world) {
-  std::vector<CellRect> left;
+  std::vector<CellRect> left, emptied;
   for (const CellChange& change : world.cellChanges()) {
     const CellRect chunk = chunkWith(change.cell);
     const bool isAway = isUnloaded(world, change.cell);
+    if (change.now.empty() && (isOpen_ || !isAway) && (emptied.empty() || emptied.back().min != chunk.min))
+      emptied.push_back(chunk);
     if (isOpen_) {
       become(change.cell, isAway ? std::span<const PlacedPolygon>() : change.now);
       continue;
@@ -85,8 +87,13 @@ const Changes& BareWorld::follow(const World& world) {
   }
   for (const CellRect& chunk : left) expect(world_.unload(chunk, {}).has_value());
   if (!isOpen_ && world.changesOfRollBack().after == world.version())  // it rolled back, and no commit followed
-    for (const CellRect& chunk : unloadedChunks(world)) fillUnknown(chunk);
-  return world_.commit();
+    for (const CellRect& chunk : unloadedChunks(world)) {
+      const bool leftSince = !isUnloaded(world_, chunk.min) && std::ranges::find(left, chunk) == left.end();
+      if (!leftSince) fillUnknown(chunk);  // else the next commit says that it left
+    }
+  const Changes& changes = world_.commit();
+  for (const CellRect& chunk : emptied) expect(world_.forgetChunks(chunk).has_value());  // which hold nothing
+  return changes;
 }
 
 }  // namespace lgs::detail

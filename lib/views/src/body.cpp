@@ -32,7 +32,8 @@ struct Sums {
 /// Of what no world hands out the sums could overflow.
 bool isOfAWorld(const BodyPolygon& p) {
   constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::min();
-  return p.cell.i != kBeyond && p.cell.j != kBeyond && std::ranges::all_of(p.vertices, [](LocalPoint v) {
+  return p.cell.i != kBeyond && p.cell.j != kBeyond && p.vertices.size() <= kMaxVerticesPerCell &&
+         std::ranges::all_of(p.vertices, [](LocalPoint v) {
            return v.x >= 0 && v.y >= 0 && v.x <= kUnitsPerCell && v.y <= kUnitsPerCell;
          });
 }
@@ -40,6 +41,7 @@ bool isOfAWorld(const BodyPolygon& p) {
 void Sums::add(const BodyPolygon& p) {
   if (!isOfAWorld(p)) return;
   std::int64_t area = 0, mx = 0, my = 0;
+  Int128 squares;
   for (std::size_t k = 0; k < p.vertices.size(); ++k) {
     const LocalPoint u = p.vertices[k], v = p.vertices[k + 1 == p.vertices.size() ? 0 : k + 1];
     const std::int64_t ux = u.x, uy = u.y, vx = v.x, vy = v.y;
@@ -47,8 +49,9 @@ void Sums::add(const BodyPolygon& p) {
     area += cross;
     mx += cross * (ux + vx);
     my += cross * (uy + vy);
-    xx += multiply(cross, ux * ux + ux * vx + vx * vx + uy * uy + uy * vy + vy * vy);
+    squares += multiply(cross, ux * ux + ux * vx + vx * vx + uy * uy + uy * vy + vy * vy);
   }
+  if (area <= 0) return;
   const std::int64_t i = p.cell.i, j = p.cell.j;
   a += Int128(area);
   ai += multiply(area, i);
@@ -56,6 +59,7 @@ void Sums::add(const BodyPolygon& p) {
   aii += multiply(area, i * i + j * j);
   x += Int128(mx);
   y += Int128(my);
+  xx += squares;
   xi += multiply(mx, i) + multiply(my, j);
 }
 
@@ -73,9 +77,9 @@ double signedRatio(Int128 a, const Exact& b) {
 }  // namespace
 
 MassOfPolygons massOf(const std::vector<BodyPolygon>& polygons) noexcept {
-  if (polygons.empty()) return {};
   Sums s;
   for (const BodyPolygon& p : polygons) s.add(p);
+  if (s.a == Int128(0)) return {};
   const Exact a = Exact::of(s.a), one(1), three(3);
   const Int128 mx = firstMoment(s.ai, s.x), my = firstMoment(s.aj, s.y);
   // 12 × ∫(X² + Y²), of which only one part may be negative, and the whole is not.
@@ -111,6 +115,10 @@ Expected<std::vector<PolygonHandle>> put(World& world, const Body& body, Cell ce
     if (!placed) {
       Error error = placed.error();
       error.index = static_cast<std::int32_t>(k);
+      if (const auto own = std::ranges::find(handles, error.other); own != handles.end()) {
+        error.index2 = static_cast<std::int32_t>(own - handles.begin());
+        error.other = {};  // it is undone
+      }
       return tl::unexpected(error);
     }
     handles.push_back(*placed);

@@ -77,7 +77,8 @@ void GroundHashes::update(std::span<const CellChange> changes) noexcept {
 }
 
 bool GroundHashes::update(const World& world, const Changes& changes) noexcept {
-  if (!world.followsCells() || changes.before != version_ || changes.after != world.version()) return false;
+  if (!world.followsCells() || changes.before != world.versionBeforeCellChanges()) return false;
+  if (changes.before != version_ || changes.after != world.version()) return false;
   update(world.cellChanges());
   version_ = changes.after;
   return true;
@@ -85,8 +86,10 @@ bool GroundHashes::update(const World& world, const Changes& changes) noexcept {
 
 void GroundHashes::set(Cell chunk, std::uint64_t hash) noexcept {
   const Cell cell{inRange(chunk.i), inRange(chunk.j)};
-  const std::vector<HashedSquare> now = hashes({cell, cell});
-  add(cell, hash - (now.empty() ? 0 : now.front().hash));
+  const Place at = placeOf(cell, 0);
+  std::uint32_t node = kWorld;
+  for (int level = kTopLevel; level > 1; --level) node = nodes_[node].below[partWith(at.x, at.y, level)];
+  add(cell, hash - nodes_[node].hash[partWith(at.x, at.y, 1)]);
 }
 
 void GroundHashes::add(Cell cell, const PlacedPolygon& polygon, bool comes) {
@@ -142,10 +145,12 @@ std::vector<HashedSquare> GroundHashes::hashes(const CellRect& cells, int level)
 void GroundHashes::collect(std::uint32_t node, std::uint64_t hash, const Place& at, const std::array<Place, 2>& corners,
                            int level, std::vector<HashedSquare>& out) const {
   const std::uint32_t side = 1U << 2 * at.level;
-  if (hash == 0 || at.x > corners[1].x || at.y > corners[1].y || at.x + side <= corners[0].x ||
-      at.y + side <= corners[0].y)
+  if (at.x > corners[1].x || at.y > corners[1].y || at.x + side <= corners[0].x || at.y + side <= corners[0].y) return;
+  if (at.level == level) {
+    if (hash != 0) out.push_back(at.withHash(hash));
     return;
-  if (at.level == level) return out.push_back(at.withHash(hash));
+  }
+  if (node == kNothing) return;  // hashes below another one may have the sum 0
   for (std::size_t k = 0; k < 16; ++k)
     collect(nodes_[node].below[k], nodes_[node].hash[k], at.part(k), corners, level, out);
 }

@@ -33,7 +33,7 @@ Islands::Islands(Islands&&) noexcept = default;
 Islands& Islands::operator=(Islands&&) noexcept = default;
 
 bool Islands::update(const World& world, const Changes& changes) noexcept {
-  if (!world.followsCells()) return false;
+  if (!world.followsCells() || changes.before != world.versionBeforeCellChanges()) return false;
   if (!impl_->loops.update(world, changes)) return false;
   impl_->view.update(impl_->ground(world), impl_->loops);
   return true;

@@ -30,6 +30,7 @@ Loops& Loops::operator=(Loops&&) noexcept = default;
 
 bool Loops::update(const World& world, const Changes& changes) noexcept {
   if (changes.before != impl_->version || changes.after != world.version()) return false;
+  if (impl_->bare && (!world.followsCells() || changes.before != world.versionBeforeCellChanges())) return false;
   if (!impl_->view.update(outline(world), impl_->bare ? impl_->bare->follow(world) : changes)) return false;
   impl_->version = changes.after;
   return true;

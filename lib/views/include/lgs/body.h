@@ -31,8 +31,9 @@ struct Body {
   MassOfPolygons mass;                ///< of all of them
 };
 
-/// The same for some polygons alone, say those of one material. A polygon with a vertex outside of its cell counts as
-/// nothing: no world hands out such. Cost: in proportion to their vertices.
+/// The same for some polygons alone, say those of one material. A polygon that is clockwise, or has a vertex outside of
+/// its cell or more than kMaxVerticesPerCell, counts as nothing: no world hands out such. Cost: in proportion to their
+/// vertices.
 MassOfPolygons massOf(const std::vector<BodyPolygon>& polygons) noexcept;
 
 /// Sets a body into the ground, so that its origin is this cell. Its polygons keep their blocks; their handles are new,

@@ -54,6 +54,11 @@ class GroundHashes {
   /// Reads all polygons of a world, which has no edits that are not committed. Cost: in proportion to its polygons and
   /// vertices.
   explicit GroundHashes(const World& world) noexcept;
+  ~GroundHashes() noexcept = default;
+  GroundHashes(const GroundHashes& other) noexcept = default;             ///< cost: in proportion to its squares
+  GroundHashes& operator=(const GroundHashes& other) noexcept = default;  ///< the same
+  GroundHashes(GroundHashes&&) noexcept = default;
+  GroundHashes& operator=(GroundHashes&&) noexcept = default;
 
   /// Takes over what the world's last commit, roll-back or redo changed. False, and nothing changes, if
   /// `changes` are not those of it, or do not lead from the version that was seen last, as one was missed, or if the

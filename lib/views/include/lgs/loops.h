@@ -98,10 +98,11 @@ class Loops {
   Loops& operator=(Loops&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
-  /// these do not lead from the version() that the view shows, or are made-up lists, it stays as it is,
-  /// and the result is false: then begin again with another view. Cost: O(k log n) expected, for k segments in the
-  /// three lists and loops of n segments. A search for the worst commit, among 160×12 cells, found some 900 basic
-  /// blocks for a segment; a test holds it below 2,000. Allocates nothing once world and view have reached their size.
+  /// these do not lead from the version() that the view shows, or are made-up lists, or if there is a second world and
+  /// the cells are not followed, it stays as it is, and the result is false: then begin again with another view. Cost:
+  /// O(k log n) expected, for k segments in the three lists and loops of n segments. A search for the worst commit, among
+  /// 160×12 cells, found some 900 basic blocks for a segment; a test holds it below 2,000. Allocates nothing once world
+  /// and view have reached their size.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 
   /// Of the last update. Empty after construction.
