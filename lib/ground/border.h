@@ -54,8 +54,8 @@ struct Border {
   std::int32_t ci = 0;  ///< where the chunk is, as in Chunk
   std::int32_t cj = 0;
   std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
-  std::uint32_t lastSerial = 0;  ///< the greatest one that a cell gave out of which neither `kept` nor the rim says it
-  bool isAwake = true;           ///< the Chunk has the cells at the rim; otherwise `runs` has them
+  std::uint32_t lastSerial = 0;  ///< the greatest that cells gave out which are not in `kept`
+  bool isRimInChunk = true;      ///< the Chunk has the cells at the rim; otherwise `runs` has them
   bool bytesAreStale = false;    ///< a roll-back or redo came since: of the cells in `kept` the bytes are wrong
   std::vector<Run> runs;
   std::vector<Kept> kept;  ///< by cell: those that there are notes of, and maybe some of before

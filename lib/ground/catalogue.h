@@ -71,11 +71,8 @@ class Catalogue {
   std::optional<std::uint32_t> users(ContentId id) const {
     return uses_[id].users == kForever ? std::nullopt : std::optional(uses_[id].users);
   }
-  /// One user more. Returns the content's facts.
-  Facts use(ContentId id) {
-    Use& use = uses_[id];
-    if (use.users != kForever) acquire(use.users);
-    return use.facts;
+  void use(ContentId id) {
+    if (uses_[id].users != kForever) acquire(uses_[id].users);
   }
   void release(ContentId id) {
     if (uses_[id].users != kForever) drop(uses_[id].users);

@@ -141,7 +141,7 @@ class Cells {
     if (hasSole(word)) at.chunk->setBlock(at.local, block);
     touch(at, facts);
   }
-  /// The same without dropping the old one, and whether the cell has changed is not touched.
+  /// The same, but the old word is not dropped, and the cell does not count as changed.
   void lay(CellAt at, CellWord word, Block block);
   /// Of a cell without polygons.
   CellWord emptyWord(std::uint32_t lastSerial);

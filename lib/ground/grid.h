@@ -26,8 +26,8 @@
 
 namespace lgs::detail {
 
-/// What is known of a place: `none`, where no edit ever was, or that was forgotten. An unloaded chunk is `awake` while a
-/// loaded one is beside it, and otherwise `asleep`: then it takes no more memory than its border.
+/// What is known of a place: `none`, where no edit ever was, or that was forgotten. An unloaded chunk is `awake` if it
+/// has a Chunk: after a commit that is so while a loaded one is beside it. If it is `asleep` its border alone is left.
 enum class ChunkState : std::uint8_t { none, loaded, awake, asleep };
 
 class Grid {

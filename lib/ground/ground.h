@@ -36,7 +36,7 @@ class Ground : public Cells {
       beginChunk(*at.chunk);
     return at;
   }
-  /// From now on nothing has changed.
+  /// From now on nothing has changed. Contents without users may be forgotten.
   void endCommit();
 
   // --- The primitive
@@ -116,7 +116,7 @@ class Ground : public Cells {
   Held heldNow(std::uint32_t ref);
   /// The outline of a chunk is to be renewed as a whole.
   void stream(std::uint32_t number) { streamed_.push_back(number); }
-  /// The first part of a commit: cells of chunks that came or went, and of the rims beside them, count as changed.
+  /// The first part of a commit: cells of chunks that came or went, and of unloaded ones beside, count as changed.
   void streamChunks() {
     if (!streamed_.empty() || !rims_.empty() || !spare_.empty()) [[unlikely]]
       doStreaming();

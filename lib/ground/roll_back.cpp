@@ -8,11 +8,11 @@
 namespace lgs::detail {
 /// Before a cell gets another word. The note takes over what its word stands for, if there is to be one.
 void Ground::noteOrDrop(CellAt at) {
-  if (journal.isNoted(Thing::cell, at.ref())) return drop(at.word());
-  Note& note = journal.add(Thing::cell, at.ref());
-  note.wasClean = (at.chunk->dirty[at.row()] & at.bit()) == 0;
-  note.block = at.chunk->block(at.local);
-  note.value = moveOut(at.word(), journal);
+  Note* note = journal.addOnce(Thing::cell, at.ref());
+  if (note == nullptr) return drop(at.word());
+  note->wasClean = (at.chunk->dirty[at.row()] & at.bit()) == 0;
+  note->block = at.chunk->block(at.local);
+  note->value = moveOut(at.word(), journal);
 }
 
 void Ground::exchange(Note& note) {

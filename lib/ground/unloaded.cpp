@@ -203,8 +203,8 @@ Ground::Held Ground::heldNow(std::uint32_t ref) {
 void Ground::wakeRim(std::uint32_t number) {
   Border& border = *grid.border(number);
   Chunk& chunk = grid.wake(number);
-  if (border.isAwake) return;
-  border.isAwake = true;
+  if (border.isRimInChunk) return;
+  border.isRimInChunk = true;
   std::uint32_t k = 0;
   for (const Border::Run& run : std::exchange(border.runs, {}))
     for (std::uint32_t n = 0; n < run.cells; ++n)
@@ -214,8 +214,8 @@ void Ground::wakeRim(std::uint32_t number) {
 
 void Ground::putRimToSleep(std::uint32_t number) {
   Border& border = *grid.border(number);
-  if (!border.isAwake) return;
-  border.isAwake = false;
+  if (!border.isRimInChunk) return;
+  border.isRimInChunk = false;
   Chunk& chunk = grid.chunk(number);
   for (std::uint32_t k = 0; k < kRimCells; ++k) {
     const CellAt at{&chunk, rimCell(k)};
@@ -268,7 +268,7 @@ void Ground::doStreaming() {
 
 /// The outline of a chunk changes by what is loaded, and is another one after a roll-back beyond that.
 void Ground::noteStreamed(std::uint32_t number) {
-  if (journal.isOn() && !journal.isNoted(Thing::streamed, number)) journal.add(Thing::streamed, number);
+  if (journal.isOn()) journal.addOnce(Thing::streamed, number);
 }
 
 void Ground::refreshAround(std::uint32_t number) {
@@ -294,7 +294,7 @@ void Ground::refreshRim(std::uint32_t number) {
 std::vector<std::uint32_t> Ground::sleep() {
   std::vector<std::uint32_t> asleep = std::exchange(sleepy_, {});
   std::erase_if(asleep, [&](std::uint32_t number) {
-    return grid.stateOf(number) != ChunkState::awake || grid.border(number)->isAwake;
+    return grid.stateOf(number) != ChunkState::awake || grid.border(number)->isRimInChunk;
   });
   for (const std::uint32_t number : asleep) grid.sleep(number);
   return asleep;

@@ -70,8 +70,8 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
   journal_ = nullptr;
 }
 
-/// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names
-/// a hidden segment and then one that is not, or the other way around.
+/// Chunks that are unloaded and were not, or the other way around: their segments go, and those that show now are new.
+/// So no id is of a hidden segment and then of one that is not. (If both came between two commits, ids stay.)
 void Outline::dropStreamed(const Ground& ground) {
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == hidden_.are(chunk->index)) continue;
@@ -94,7 +94,7 @@ void Outline::clear(const Chunk& chunk) {
   lists.forget(chunk.index);  // how they are kept is decided anew
 }
 
-/// Of what changed, what is not hidden, or was not.
+/// Leaves out what is hidden: of the removed what was so before this update, of the others what is so now.
 void Outline::filter() {
   const auto take = [&](const std::vector<SegmentId>& all, const auto& hides, std::vector<SegmentId>& out) {
     out.clear();

@@ -79,7 +79,8 @@ template <class Visit>
 void forEachFetched(const Outline& outline, std::span<Chunk* const> chunks, Visit&& visit) {
   for (std::size_t k = 0; k < chunks.size() + 2; ++k) {
     if (k < chunks.size()) forEachScattered(*chunks[k], [&](CellAt at) { fetchCells(outline, at, at.ref()); });
-    if (k >= 1 && k <= chunks.size()) forEachScattered(*chunks[k - 1], [&](CellAt at) { fetchLists(outline, at.ref()); });
+    if (k >= 1 && k <= chunks.size())
+      forEachScattered(*chunks[k - 1], [&](CellAt at) { fetchLists(outline, at.ref()); });
     if (k < 2) continue;
     forEachScattered(*chunks[k - 2], [&](CellAt at) { fetchSegments(outline, at.ref()); });
     visit(*chunks[k - 2]);

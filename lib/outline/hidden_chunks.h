@@ -24,8 +24,6 @@ class HiddenChunks {
     bits_[chunk] ^= kBefore;
     streamed_.push_back(chunk);
   }
-  /// Those that it found.
-  const std::vector<std::uint32_t>& streamed() const { return streamed_; }
   /// From now on were() says what are() says.
   void endUpdate() {
     for (const std::uint32_t chunk : streamed_) bits_[chunk] ^= kBefore;

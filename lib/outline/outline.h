@@ -12,7 +12,7 @@
 #include <lgs/world.h>
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -80,7 +80,7 @@ class Outline {
     if (journal_) [[unlikely]]
       noteSegment(id);
   }
-  /// Whether there is a moment to roll back to from before the update under way.
+  /// Whether the update under way notes what it changes.
   bool isNoting() const { return journal_ != nullptr; }
   /// The segments that phase 1 added were not alive before.
   void noteAdded();
@@ -102,10 +102,25 @@ class Outline {
   State state() const { return {segments.length(), version_}; }
   /// A note of the outline and the outline exchange what they hold.
   void exchange(const Grid& grid, Journal& journal, Note& note);
-  /// Goes to another moment by go(), which exchanges the notes up to there; then update() may be called by stream(), which
-  /// says whether it was. Says what all of that does to the segments. `ids` has those that are noted.
-  void goTo(const Grid& grid, const State& state, std::vector<std::uint32_t> ids, Changes& changes,
-            const std::function<void()>& go, const std::function<bool()>& stream);
+  /// What can be seen of a segment that is alive, for law 6: the edge, its block and cell, and where its ghosts are.
+  struct Seen {
+    Point start, end;
+    Block block = 0;
+    std::uint32_t cellRef = 0, serial = 0;
+    std::optional<Point> ghost1 = {}, ghost2 = {};
+
+    bool isSameEdge(const Seen& s) const {
+      return start == s.start && end == s.end && block == s.block && cellRef == s.cellRef && serial == s.serial;
+    }
+  };
+  std::vector<std::optional<Seen>> seen(const Grid& grid, const std::vector<std::uint32_t>& ids) const;
+  void setState(const State& state) {
+    segments.setLength(state.ids);
+    version_ = state.version;
+  }
+  /// What became of segments since they were `before`, in the order of `ids`.
+  void compare(const Grid& grid, const std::vector<std::uint32_t>& ids, const std::vector<std::optional<Seen>>& before,
+               Changes& changes) const;
 
   // --- Saving
 

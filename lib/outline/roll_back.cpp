@@ -1,12 +1,10 @@
 // The outline's part of roll-back and redo: what an update notes, and what a note is exchanged with.
-#include "geometry/sort.h"
 #include "outline/outline.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstring>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -21,71 +19,34 @@ RecordWords wordsOf(const SegmentRecord& record) {
   return words;
 }
 
-/// What a segment is as far as law 6 goes, and where its ghosts are.
-struct Seen {
-  Seen(Point from, Point to, Block b, std::uint32_t ref, std::uint32_t n)
-      : start(from), end(to), block(b), cellRef(ref), serial(n) {}
-  Point start, end;
-  Block block;
-  std::uint32_t cellRef, serial;
-  std::optional<Point> ghost1, ghost2;
-
-  bool isSameEdge(const Seen& s) const {
-    return start == s.start && end == s.end && block == s.block && cellRef == s.cellRef && serial == s.serial;
-  }
-};
-
-/// Segments by their place in a list of ids, where they are alive.
-using SeenById = std::vector<std::optional<Seen>>;
-
-SeenById seenNow(const Grid& grid, const Outline& outline, const std::vector<std::uint32_t>& ids) {
-  SeenById seen(ids.size());
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    const std::uint32_t id = ids[k];
-    if (!outline.isShown({id})) continue;
-    const SegmentRecord& s = outline.segments[id];
-    const Cell cell = grid.cellOf(s.cellRef);
-    const auto cellOf = [&](const SegmentRecord& ghost) {  // mostly the same one
-      return ghost.cellRef == s.cellRef ? cell : grid.cellOf(ghost.cellRef);
-    };
-    Seen& now = seen[k].emplace(toWorld(cell, s.start()), toWorld(cell, s.end()), s.block, s.cellRef, s.serial);
-    const SegmentRecord &before = outline.segments[s.predecessor], &after = outline.segments[s.successor];
-    if (s.predecessor != kNoSegment) now.ghost1 = toWorld(cellOf(before), before.start());
-    if (s.successor != kNoSegment) now.ghost2 = toWorld(cellOf(after), after.end());
-  }
-  return seen;
-}
-
 }  // namespace
 
 // --- Taking notes
 
 void Outline::noteSegment(std::uint32_t id) {
-  if (!journal_->isNoted(Thing::segment, id))
-    journal_->add(Thing::segment, id).value = journal_->keep(wordsOf(segments[id]));
+  if (Note* note = journal_->addOnce(Thing::segment, id)) note->value = journal_->keep(wordsOf(segments[id]));
 }
 
 void Outline::noteAdded() {
-  for (const SegmentId id : changes_.added)
-    if (!journal_->isNoted(Thing::segment, id.value)) journal_->add(Thing::segment, id.value);
+  for (const SegmentId id : changes_.added) journal_->addOnce(Thing::segment, id.value);
 }
 
 void Outline::noteList(CellAt at) {
-  if (journal_->isNoted(Thing::list, at.ref())) return;
-  const CellSegments list = lists.of(at);
-  journal_->add(Thing::list, at.ref()).value = list ? journal_->keep(list.words()) : 0;
+  Note* note = journal_->addOnce(Thing::list, at.ref());
+  if (note == nullptr) return;
+  if (const CellSegments list = lists.of(at)) note->value = journal_->keep(list.words());
 }
 
 void Outline::noteHidden(std::uint32_t chunk) {
-  if (!journal_->isNoted(Thing::hidden, chunk)) journal_->add(Thing::hidden, chunk).value = hidden_.are(chunk) ? 1 : 0;
+  if (Note* note = journal_->addOnce(Thing::hidden, chunk)) note->value = hidden_.are(chunk) ? 1 : 0;
 }
 
 /// And the place in the list of free ids that this one gets.
 void Outline::noteRemoved(std::uint32_t id) {
   noteSegment(id);
   const auto place = static_cast<std::uint32_t>(segments.free().size());
-  if (place < segments.places().size() && !journal_->isNoted(Thing::freeId, place))
-    journal_->add(Thing::freeId, place).value = segments.places()[place];
+  if (place >= segments.places().size()) return;
+  if (Note* note = journal_->addOnce(Thing::freeId, place)) note->value = segments.places()[place];
 }
 
 // --- Roll-back and redo
@@ -123,27 +84,26 @@ void Outline::exchange(const Grid& grid, Journal& journal, Note& note) {
   }
 }
 
-void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32_t> ids, Changes& changes,
-                   const std::function<void()>& go, const std::function<bool()>& stream) {
-  detail::sort(ids);
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // clang 14 does not take the one of std::ranges
-  const SeenById before = seenNow(grid, *this, ids);
-  const std::uint64_t version = version_;
-  go();
-  segments.setLength(state.ids);
-  version_ = state.version;
-  changes = {};
-  const bool isStreamed = stream();
-  if (isStreamed) {  // what is not noted was until then as it was before
-    const auto take = [&](const std::vector<SegmentId>& of, std::vector<SegmentId>& to) {
-      std::ranges::copy_if(of, std::back_inserter(to),
-                           [&](SegmentId id) { return !std::ranges::binary_search(ids, id.value); });
+std::vector<std::optional<Outline::Seen>> Outline::seen(const Grid& grid, const std::vector<std::uint32_t>& ids) const {
+  std::vector<std::optional<Seen>> seen(ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    if (!isShown({ids[k]})) continue;
+    const SegmentRecord& s = segments[ids[k]];
+    const Cell cell = grid.cellOf(s.cellRef);
+    const auto cellOf = [&](const SegmentRecord& ghost) {  // mostly the same one
+      return ghost.cellRef == s.cellRef ? cell : grid.cellOf(ghost.cellRef);
     };
-    take(this->changes().removed, changes.removed);
-    take(this->changes().added, changes.added);
-    take(this->changes().relinked, changes.relinked);
+    Seen& now = seen[k].emplace(Seen{toWorld(cell, s.start()), toWorld(cell, s.end()), s.block, s.cellRef, s.serial});
+    const SegmentRecord &before = segments[s.predecessor], &after = segments[s.successor];
+    if (s.predecessor != kNoSegment) now.ghost1 = toWorld(cellOf(before), before.start());
+    if (s.successor != kNoSegment) now.ghost2 = toWorld(cellOf(after), after.end());
   }
-  const SeenById after = seenNow(grid, *this, ids);
+  return seen;
+}
+
+void Outline::compare(const Grid& grid, const std::vector<std::uint32_t>& ids,
+                      const std::vector<std::optional<Seen>>& before, Changes& changes) const {
+  const std::vector<std::optional<Seen>> after = seen(grid, ids);
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const SegmentId id{ids[k]};
     const auto &then = before[k], &now = after[k];
@@ -152,10 +112,6 @@ void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32
     if (now && !same) changes.added.push_back(id);
     if (same && (then->ghost1 != now->ghost1 || then->ghost2 != now->ghost2)) changes.relinked.push_back(id);
   }
-  if (isStreamed)
-    for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
-  changes.before = version;
-  changes.after = version_;
 }
 
 }  // namespace lgs::detail

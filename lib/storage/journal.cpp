@@ -32,7 +32,7 @@ Note& Journal::add(Thing thing, std::uint32_t key) {
   return notes_.emplace_back(Note{.before = before, .key = key, .thing = thing});
 }
 
-/// The newest note of its thing is undone.
+/// A note is undone: its thing is noted last where it was before this.
 void Journal::takeBack(const Note& note) {
   const std::uint64_t key = keyOf(note.thing, note.key);
   if (note.before < places_.front().moment)

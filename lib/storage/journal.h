@@ -35,7 +35,7 @@ namespace lgs::detail {
 enum class Thing : std::uint8_t {
   cell,      ///< the word of a cell, and its block
   chunk,     ///< that there is this chunk; the note has its place
-  streamed,  ///< that the outline of a chunk was renewed, since it or one beside it came or went
+  streamed,  ///< that a commit renewed a chunk's outline, because it or one beside it came or went
   segment,   ///< the record of a segment; none if it was not alive
   list,      ///< the list of segments that a cell shows; none if it showed nothing
   freeId,    ///< an entry in the list of free ids
@@ -48,7 +48,7 @@ struct Note {
   std::uint32_t key = 0;
   Thing thing = Thing::cell;
   bool wasClean = false;    ///< of a cell: it had not changed since the commit before
-  bool isMoot = false;      ///< of a chunk: it is there before and after
+  bool isMoot = false;      ///< of a chunk: undone while unloaded, so the chunk stays, and this does nothing
   bool isGivenUp = false;   ///< of a chunk: it came back empty, at all times, so outlines of before are not its own
   std::uint32_t value = 0;  ///< what the thing held, or a reference to words that the journal keeps
   std::uint32_t block = 0;  ///< of a cell
@@ -93,6 +93,8 @@ class Journal {
   }
   /// Before a thing changes that is not noted: the caller says what it holds.
   Note& add(Thing thing, std::uint32_t key);
+  /// The same, unless it is noted: then null.
+  Note* addOnce(Thing thing, std::uint32_t key) { return isNoted(thing, key) ? nullptr : &add(thing, key); }
   /// Those since a moment, in the order in which they were made. The first of a thing, which says what it held at that
   /// moment, displaced a note of before it.
   std::span<const Note> since(Moment moment) const { return std::span(notes_).subspan(places_[indexOf(moment)].begin); }

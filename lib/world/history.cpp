@@ -1,20 +1,25 @@
 #include "world/history.h"
 
+#include "geometry/sort.h"
 #include "storage/held_bytes.h"
 #include "storage/owned.h"
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 namespace lgs::detail {
 namespace {
 
-/// The ids that notes name, each maybe several times.
-std::vector<std::uint32_t> segmentsIn(std::span<const Note> notes) {
+/// The ids that notes name, each once, in their order.
+std::vector<std::uint32_t> notedSegments(std::span<const Note> notes, std::span<const Note> more = {}) {
   std::vector<std::uint32_t> ids;
-  for (const Note& note : notes)
-    if (note.thing == Thing::segment) ids.push_back(note.key);
+  for (const auto& some : {notes, more})
+    for (const Note& note : some)
+      if (note.thing == Thing::segment) ids.push_back(note.key);
+  sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // clang 14 does not take the one of std::ranges
   return ids;
 }
 
@@ -77,7 +82,7 @@ void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   if (!keeps) forgetUndone();
   dropLaterMarks(mark, undone);
   const Marked& to = marks_.back();
-  travel(to, isFromRedo, segmentsIn(ground_.journal.since(to.moment)), changes,
+  travel(to, isFromRedo, notedSegments(ground_.journal.since(to.moment)), changes,
          [&](Moment moment) { undo(moment, undone); });
   while (ground_.catalogue.shapeCount() > to.shapes) {
     InternedShape shape = ground_.catalogue.takeShape();
@@ -96,8 +101,8 @@ void History::dropLaterMarks(Mark mark, Undone undone) {
   }
 }
 
-/// Whether what is ahead stays: the world rolls back no further than to where it went, or goes further from there and
-/// keeps that, too.
+/// Whether what is ahead stays: the roll-back stops at redoFrom_ or short of it; or it goes beyond, is kept, too, and
+/// nothing was edited since.
 bool History::keepsAhead(const Marked& to, Undone undone) const {
   if (ahead_.empty()) return false;
   if (undone == Undone::drop) return !ground_.journal.isEarlier(to.moment, redoFrom_);
@@ -136,10 +141,8 @@ void History::redo(Mark mark, Changes& changes) {
     ahead_.pop_back();
   } while (marks_.back().mark != mark);
   const Marked& to = marks_.back();
-  std::vector<std::uint32_t> ids = segmentsIn(ground_.journal.since(redoFrom_));
-  const std::vector<std::uint32_t> more = segmentsIn(ground_.journal.upTo(to.moment));
-  ids.insert(ids.end(), more.begin(), more.end());
-  travel(to, true, std::move(ids), changes, [&](Moment moment) {
+  const std::vector ids = notedSegments(ground_.journal.since(redoFrom_), ground_.journal.upTo(to.moment));
+  travel(to, true, ids, changes, [&](Moment moment) {
     ground_.journal.redoTo(
         moment, [this](Note& note) { exchange(note); }, [this](const Note& note) { ground_.drop(note); });
   });
@@ -152,21 +155,37 @@ void History::redo(Mark mark, Changes& changes) {
 /// Goes to a mark by go(moment), which exchanges the notes up to a moment; from where the world went last, or from where
 /// it is.
 template <class Go>
-void History::travel(const Marked& to, bool isFromRedo, std::vector<std::uint32_t> ids, Changes& changes, Go&& go) {
-  const auto goThere = [&] {
-    ground_.clearChanges();
-    cellChanges_.clear();
-    if (isFromRedo) returnToRedo();
-    if (committed_ != 0) tell(to, go);
-    go(to.moment);
-    ground_.setChangedCells(to.changed);
-  };
-  outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, goThere, [&] { return streamAtOnce(to); });
-  versionBefore_ = changes.before;
+void History::travel(const Marked& to, bool isFromRedo, const std::vector<std::uint32_t>& ids, Changes& changes,
+                     Go&& go) {
+  const auto before = outline_.seen(ground_.grid, ids);
+  const std::uint64_t version = outline_.version();
+  ground_.clearChanges();
+  cellChanges_.clear();
+  if (isFromRedo) returnToRedo();
+  if (committed_ != 0) tell(to, go);
+  go(to.moment);
+  ground_.setChangedCells(to.changed);
+  outline_.setState(to.outline);
+  changes = {};
+  const bool isStreamed = to.changed.empty() && showStreamed();
+  if (isStreamed) {  // what is not noted was until then as it was before
+    const auto take = [&](const std::vector<SegmentId>& of, std::vector<SegmentId>& into) {
+      std::ranges::copy_if(of, std::back_inserter(into),
+                           [&](SegmentId id) { return !std::ranges::binary_search(ids, id.value); });
+    };
+    take(outline_.changes().removed, changes.removed);
+    take(outline_.changes().added, changes.added);
+    take(outline_.changes().relinked, changes.relinked);
+  }
+  outline_.compare(ground_.grid, ids, before, changes);
+  if (isStreamed)
+    for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
+  changes.before = versionBefore_ = version;
+  changes.after = outline_.version();
 }
 
 /// Followers never saw the edits that are pending, here or there: so they are told what is different between the last
-/// commits before the two moments.
+/// commits before the two moments. If these are one (`stay`), only chunks have left or come back since.
 template <class Go>
 void History::tell(const Marked& to, Go&& go) {
   using enum CellChanges::Way;
@@ -175,15 +194,15 @@ void History::tell(const Marked& to, Go&& go) {
     go(to.committed);
     cellChanges_.read(ground_, committed_, forth);
   } else {
-    if (!ground_.journal.isAhead(to.moment)) go(committed_);
+    if (!ground_.journal.isAhead(to.moment)) go(committed_);  // undoes what is pending; redo() stands there already
     cellChanges_.read(ground_, to.committed, back);
   }
   ground_.journal.hold(to.committed);
   ground_.letGo(std::exchange(committed_, to.committed));
 }
 
-/// Undoes the commits since the last roll-back or redo. Nothing was edited since, but edits that were pending may
-/// have been told.
+/// Undoes the commits since the last roll-back or redo. Nothing was edited since; but a later commit may have told
+/// followers of edits that were pending then. These are not undone, and what followers know is the ground with them.
 void History::returnToRedo() {
   if (committed_ > redoFrom_) {
     ground_.journal.hold(redoFrom_);
@@ -193,12 +212,10 @@ void History::returnToRedo() {
   ground_.letGo(std::exchange(redoFrom_, 0));
 }
 
-/// Chunks that came or went since the mark are shown and hidden, unless edits are pending there. Whether it is done.
-bool History::streamAtOnce(const Marked& to) {
-  if (!to.changed.empty()) return false;
+/// Chunks that came or went since the mark are shown and hidden. Whether there are any.
+bool History::showStreamed() {
   renewOutline({});
-  const bool isDone = !ground_.changedChunks().empty();
-  if (isDone && !ground_.journal.isNoted(Thing::commit, 0)) ground_.journal.add(Thing::commit, 0);
+  const bool isDone = noteFound();
   ground_.endCommit();
   freeSleeping();
   return isDone;
@@ -249,16 +266,20 @@ void History::freeSleeping() {
   if (!chunks.empty() && !hasMarks()) outline_.giveBackPages();
 }
 
+/// Whether a commit found something.
+bool History::noteFound() {
+  const bool hasFound = !ground_.changedChunks().empty();
+  if (hasFound) ground_.journal.addOnce(Thing::commit, 0);
+  return hasFound;
+}
+
 /// While there are marks, or followers.
 void History::noteCommit() {
-  Journal& journal = ground_.journal;
   if (committed_ != 0) cellChanges_.read(ground_, committed_, CellChanges::Way::forth);
   versionBefore_ = outline_.changes().before;
-  if (ground_.changedChunks().empty()) return;
-  if (!journal.isNoted(Thing::commit, 0)) journal.add(Thing::commit, 0);
-  if (committed_ == 0) return;
+  if (!noteFound() || committed_ == 0) return;
   ground_.letGo(committed_);
-  committed_ = journal.begin();
+  committed_ = ground_.journal.begin();
 }
 
 void History::follow(bool follow) {

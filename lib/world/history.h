@@ -107,6 +107,7 @@ class History {
     ground_.streamChunks();
     outline_.update(ground_, hasMarks() ? &ground_.journal : nullptr, executor);
   }
+  bool noteFound();
   void noteCommit();
   void freeSleeping();
   void letGo(const Marked& mark);
@@ -115,11 +116,11 @@ class History {
   void setRedo(const Marked& to);
   bool keepsAhead(const Marked& to, Undone undone) const;
   template <class Go>
-  void travel(const Marked& to, bool isFromRedo, std::vector<std::uint32_t> ids, Changes& changes, Go&& go);
+  void travel(const Marked& to, bool isFromRedo, const std::vector<std::uint32_t>& ids, Changes& changes, Go&& go);
   template <class Go>
   void tell(const Marked& to, Go&& go);
   void returnToRedo();
-  bool streamAtOnce(const Marked& to);
+  bool showStreamed();
   void undo(Moment moment, Undone undone);
   void exchange(Note& note);
   void forgetUndone();

@@ -46,8 +46,8 @@ class Validation {
   }
 
   void lookAtBorder([[maybe_unused]] std::uint32_t number, const Border& border) {
-    assert(border.isAwake == border.runs.empty());
-    assert(border.isAwake || ground_.grid.stateOf(number) == ChunkState::asleep);
+    assert(border.isRimInChunk == border.runs.empty());
+    assert(border.isRimInChunk || ground_.grid.stateOf(number) == ChunkState::asleep);
     assert(std::ranges::is_sorted(border.kept, {}, &Border::Kept::local));
     for (const Border::Run& run : border.runs) use(ground_.contentOf(run.word));
     for (const Border::Kept& kept : border.kept) use(ground_.contentOf(kept.word));
