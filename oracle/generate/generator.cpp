@@ -140,6 +140,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     if (mostly == time || isOfMemory) habits.travel = isOfMemory ? 10 : 40;
     if (isOfMemory) habits.memory = 25;
     if (mostly == refusal) habits.refused = 12;
+    habits.carry = random.chance(30) ? 1 + random.below(4) : 0;
   }
   habits.strokes.blocks = habits.blocks;
   habits.strokes.can = options.can;

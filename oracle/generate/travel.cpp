@@ -117,6 +117,47 @@ void Editor::travel(Cell cell) {
   }
 }
 
+// An island leaves the ground, and comes back as it lay or otherwise; or something is in its way. Or what edits would do
+// is foreseen.
+void Editor::carry(Cell cell) {
+  using enum Call::Kind;
+  const auto islandAt = [&](Cell at) {
+    Call call = Call::of(take);
+    call.goes = {{.cell = at, .nth = random_.below(4U)}};
+    call.nth = random_.chance(50) ? 0 : random_.below(4U);
+    return call;
+  };
+  if (random_.chance(90)) make(Call::commit());
+  if (random_.chance(35)) {
+    Call would = Call::of(foresee);
+    for (int k = 1 + random_.below(3); k > 0; --k)
+      would.group.push_back(random_.chance(30) ? islandAt(cell) : anyEdit({cell.i - 1, cell.j - 1}));
+    return make(std::move(would));
+  }
+  const bool isMarked = random_.chance(25);
+  if (isMarked) make(Call::of(mark));
+  make(islandAt(cell));
+  if (random_.chance(20)) make(islandAt(pickCell()));
+  if (random_.chance(50)) make(Call::commit());
+  if (isMarked && random_.chance(50)) {
+    Call back = Call::of(rollBack);
+    back.nth = static_cast<std::uint32_t>(model_.marks()) - 1;
+    back.keeps = random_.chance(50) ? Call::Keeps::always : Call::Keeps::never;
+    make(std::move(back));
+    if (random_.chance(50)) make(Call::of(redo));
+  }
+  if (random_.chance(25)) make(squareAt(cell));
+  Call comes = Call::of(put);
+  const auto bodies = static_cast<std::uint32_t>(model_.state().bodies.size());
+  comes.nth = bodies > 0 && random_.chance(70) ? bodies - 1 : random_.below(16U);
+  if (random_.chance(45)) {
+    comes.lies.symmetry = random_.below(8U);
+    comes.lies.by.i = random_.below(5) - 2;
+    comes.lies.by.j = random_.below(5) - 2;
+  }
+  make(std::move(comes));
+}
+
 // Of a world with unloaded chunks none is saved.
 void Editor::allComesBack(Cell cell) {
   if (model_.isWhole()) return;
