@@ -85,7 +85,9 @@ class Editor {
   void travel(Cell cell);
   void carry(Cell cell);
   void remember(Cell cell);
+  void cutAtTheEdge(Cell cell);
 
+  static Call squareAt(Cell cell);
   Call anyEdit(Cell cell);
   std::vector<Cell> rectangleAt(Cell cell);
   void empty(Cell cell);

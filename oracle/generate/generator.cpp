@@ -110,8 +110,10 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   const bool isOfMemory =
       !options.inMemory && (mostly == memory || mostly == memoryToo || (options.streams && random.chance(70)));
   const bool isAtCorner = options.isOfCalls && (isOfMemory || random.chance(40));
-  if (isAtCorner)  // of four chunks, which may leave memory
-    origin = {32 * (random.below(5) - 2) - width / 2, 32 * (random.below(5) - 2) - height / 2};
+  if (isAtCorner) {  // of four chunks, which may leave memory; or where the last one is a column or row wide
+    origin.i = random.chance(12) ? kMaxCell - width + 1 : 32 * (random.below(5) - 2) - width / 2;
+    origin.j = random.chance(12) ? kMaxCell - height + 1 : 32 * (random.below(5) - 2) - height / 2;
+  }
   origin = {within(options.can.cells, width, origin.i), within(options.can.cells, height, origin.j)};
   habits.cells = grid(origin, width, height);
   if (isAtCorner && random.chance(45)) {  // all of it at the corner itself

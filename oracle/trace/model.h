@@ -98,12 +98,12 @@ class Model {
   enum class Pending : std::uint8_t { no, maybe, sure };  ///< edits since the last commit
   struct State {
     Standing standing;
-    std::map<Cell, Content> away;  ///< chunks that are not in memory
-    std::set<Cell> chunks;         ///< all of them
-    std::set<Cell> alone;          ///< of those not in memory: no loaded one was around it at the last commit
-    std::vector<Given> given;      ///< all that was ever placed
+    std::map<Cell, Content> away;   ///< chunks that are not in memory
+    std::set<Cell> chunks;          ///< all of them
+    std::set<Cell> alone;           ///< of those not in memory: no loaded one was around it at the last commit
+    std::vector<Given> given;       ///< all that was ever placed
     std::vector<Body> bodies = {};  ///< all that was taken; their mass is not known
-    Pending pending{};             ///< *maybe* where what was done may change nothing
+    Pending pending{};              ///< *maybe* where what was done may change nothing
   };
 
   /// Undoes a group of edits: these are from when it began.

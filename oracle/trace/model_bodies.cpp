@@ -137,9 +137,9 @@ std::string Model::wrongBodies(const Call& call, const Outcome& outcome) const {
 }
 
 void Model::take(const Call& call, const Outcome* outcome) {
-  const std::vector<Body> bodies = outcome != nullptr               ? outcome->bodies
+  const std::vector<Body> bodies = outcome != nullptr          ? outcome->bodies
                                    : call.goes[0].name.empty() ? std::vector<Body>()
-                                                                    : bodiesOf(call);
+                                                               : bodiesOf(call);
   for (const Body& body : bodies)
     for (const BodyPolygon& p : body.polygons) now_.standing.remove(nameOf(body, p));
   now_.bodies.insert(now_.bodies.end(), bodies.begin(), bodies.end());

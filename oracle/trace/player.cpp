@@ -128,8 +128,7 @@ void Player::turn(const std::set<Cell>& away) {
 // Of a call that is accepted, before the model makes it.
 void Player::noteEdited(const Call& call, const Outcome& outcome) {
   for (const Body& body : outcome.bodies)
-    for (const BodyPolygon& p : body.polygons)
-      edited_.insert({body.origin.i + p.cell.i, body.origin.j + p.cell.j});
+    for (const BodyPolygon& p : body.polygons) edited_.insert({body.origin.i + p.cell.i, body.origin.j + p.cell.j});
   if (call.kind == Kind::take) return;
   const bool isAnywhere = call.kind == Kind::fill || call.kind == Kind::exchange || call.kind == Kind::setBlock;
   for (const Coming& coming : call.comes)

@@ -85,8 +85,7 @@ class BodiesLaw : public Law {
     const std::string difference = differenceOf(before_, seen.world());
     if (!difference.empty()) return "foresee() leaves " + difference;
     if (outcome.count != islands_) return "foresee() leaves other islands in the view";
-    const std::string wrong =
-        wrongLists(would_ ? would_->changes() : IslandChanges(), outcome.foreseen.changes);
+    const std::string wrong = wrongLists(would_ ? would_->changes() : IslandChanges(), outcome.foreseen.changes);
     if (!wrong.empty()) return "foresee() foresees something else: " + wrong;
     const bool areSame = outcome.foreseen.after == (would_ ? namedAfter(*would_) : std::vector<IslandFacts>());
     return areSame ? "" : "foresee() foresees other facts";

@@ -134,7 +134,8 @@ std::string wrongBounds(const Region& region, const CellRect& bounds) {
     }
   }
   const bool isNothing = min.x >= max.x || min.y >= max.y;
-  if (isNothing != isEmpty(bounds)) return "boundsOf() has cells of a region without width or height, or none of another";
+  if (isNothing != isEmpty(bounds))
+    return "boundsOf() has cells of a region without width or height, or none of another";
   const auto cell = [](std::int64_t v) { return static_cast<std::int32_t>(v >> kCellBits); };
   const bool isLeast = isNothing || bounds == CellRect{{cell(min.x), cell(min.y)}, {cell(max.x - 1), cell(max.y - 1)}};
   return isLeast ? "" : "boundsOf() is not the least rectangle of a region";
