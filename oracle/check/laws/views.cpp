@@ -36,6 +36,7 @@ class ViewsLaw : public Law {
       views_.reset();
       isAsked_ = begins(seen);
     }
+    if (kind == foresee && !seen.trace.preserve.empty()) views_.reset();  // it rolls back
     if (views_ && kind == leave)
       std::ranges::set_difference(away_, chunksAway(seen), std::inserter(forgotten_, forgotten_.end()));
     return std::nullopt;
