@@ -75,9 +75,9 @@ ROOMS = {
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
-    # Calls of brushes, too.
-    "oracle/calls": ENGINE + ["lib/brush/include", "oracle/reference"],
-    "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls"],
+    # Calls of brushes and of views, too.
+    "oracle/calls": ENGINE + ["lib/brush/include", "lib/views/include", "oracle/reference"],
+    "oracle/trace": ENGINE + ["lib/brush/include", "lib/views/include", "oracle/reference", "oracle/calls"],
     # What it compares are values of the views' public headers.
     "oracle/views": ENGINE + ["lib/views/include", "lib/pieces/include", "oracle/reference", "oracle/cgal"],
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],

@@ -35,8 +35,10 @@ std::optional<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handl
 void forEachPolygon(const Ground& ground, const CellRect& cells, const World::PolygonVisitor& visit) {
   if (lgs::isEmpty(cells) || !visit) return;
   std::vector<PlacedPolygon> polygons;
-  ground.grid.forEachCell(cells, [&](CellAt, Cell cell) {
-    polygonsOf(ground, cell, polygons);
+  ground.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
+    if (at.chunk->isUnloaded || ground.contentId(at) == kEmptyContent) return;  // of 1,024 cells most are empty
+    polygons.clear();
+    ground.read(ground.held(at), polygons);
     for (const PlacedPolygon& polygon : polygons) visit(cell, polygon);
   });
 }

@@ -1,4 +1,4 @@
-// The language: a call of World's that changes something, or moves in time or memory, as a value.
+// The language: a call that changes a World, or moves it in time or memory, as a value: its own, of brushes, of views.
 //
 // Whatever tries the engine makes calls of this one kind, in one way (caller.h): those of a trace, which is their text
 // (oracle/trace/trace.h), those that are drawn at random (draw.h), a fuzzer's. A call means something in any world: it
@@ -51,6 +51,13 @@ struct Coming {
   friend bool operator==(const Coming&, const Coming&) = default;
 };
 
+/// How a body comes back.
+struct Lies {
+  Cell by{};                   ///< how far from where it was
+  std::uint32_t symmetry = 0;  ///< of the cell (shapes.h), about its origin
+  friend bool operator==(const Lies&, const Lies&) = default;
+};
+
 struct Call {
   enum class Kind : std::uint8_t {
     shape,        ///< shape(); a single polygon in any notation
@@ -78,25 +85,33 @@ struct Call {
     reloadEmpty,  ///< reloadEmpty()
     brush,        ///< paint() or carve()
     repeat,       ///< calls that are made some hundred times
-    follow        ///< followCells(), or no longer
+    follow,       ///< followCells(), or no longer
+    take,         ///< take() or takeApart() of the island that a polygon is of, by a view that begins now
+    put,          ///< put() of a body that was taken; of an empty one if there is none
+    foresee       ///< commit(), then foresee() of edits, by a view that begins now
   };
-  static constexpr std::size_t kKinds = 26;
+  static constexpr std::size_t kKinds = 29;
 
   Kind kind = Kind::commit;
   std::vector<Coming> comes = {};  ///< one, but for addMany() and exchange(); none where nothing is placed
-  std::vector<Named> goes = {};    ///< of remove, removeMany, exchange and setBlock
+  std::vector<Named> goes = {};    ///< of remove, removeMany, exchange, setBlock and take
   CellRect cells = {};             ///< of all that take a rectangle; its lower left one for exchange
   Notation notation{};             ///< of a single polygon
   unsigned offset = 0;             ///< how far off the lattice reals are; kSpoiltOffset and more: one is no place
   unsigned room = 0;  ///< for handles: 0: none is asked for; 1, 2, 3: one too few, just enough, one too many
   enum class Keeps : std::uint8_t { never, always, ifAll };
-  std::vector<Call> group = {};  ///< the parts of a group, and of what is repeated
+  std::vector<Call> group = {};  ///< the parts of a group, of what is repeated, and of what is foreseen
   Keeps keeps{};                 ///< the group; ifAll: unless a part is refused, and then that is the last one.
                                  ///< Of rollBack: whether what is undone is kept
   std::uint32_t nth = 0;         ///< of the marks, modulo how many there are; of an executor; in which order chunks
-                                 ///< come back; how often something is repeated; whether to follow, if it is odd
+                                 ///< come back; how often something is repeated; whether to follow, if it is odd;
+                                 ///< of the bodies; how an island is taken (kApart, kOpen)
+  Lies lies = {};                ///< of put
   BrushEdit brush = {};
   std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
+
+  /// Of take: in as many bodies as edges hold; and what is unloaded counts as empty.
+  static constexpr std::uint32_t kApart = 1, kOpen = 2;
 
   static Call of(Kind kind) {
     Call call;
@@ -148,7 +163,8 @@ struct KindOfCall {
     notation = 64,  ///< a single polygon that comes may be in any notation
     room = 128,     ///< for handles
     rect = 256,     ///< Call::cells is a rectangle
-    number = 512    ///< Call::nth
+    number = 512,   ///< Call::nth
+    parts = 1024    ///< Call::group
   };
   const char* word;  ///< its line begins with it; that of a brush may be `carve`
   unsigned has;
@@ -169,7 +185,7 @@ inline constexpr auto kKindsOfCalls = [] {
                                                {"setBlock", edit | one},
                                                {"fill", shape | rect},
                                                {"clear", edit | rect},
-                                               {"group", time},
+                                               {"group", time | parts},
                                                {"commit", time | number},
                                                {"mark", time},
                                                {"back", time | number},
@@ -182,8 +198,11 @@ inline constexpr auto kKindsOfCalls = [] {
                                                {"reload", rect | number},
                                                {"reloadEmpty", rect},
                                                {"paint", edit},
-                                               {"repeat", time | number},
-                                               {"follow", time | number}}};
+                                               {"repeat", time | number | parts},
+                                               {"follow", time | number},
+                                               {"take", edit | number},
+                                               {"put", edit | number},
+                                               {"foresee", time | parts}}};
 }();
 
 constexpr bool has(Call::Kind kind, KindOfCall::Has what) {
@@ -195,6 +214,9 @@ constexpr bool movesInTime(Call::Kind kind) { return has(kind, KindOfCall::time)
 
 /// Calls of chunks that come and go: a chunk of a place where none is counts as an edit.
 constexpr bool isOfMemory(Call::Kind kind) { return Call::Kind::unload <= kind && kind <= Call::Kind::reloadEmpty; }
+
+/// Calls before which all is committed.
+constexpr bool commitsFirst(Call::Kind kind) { return kind == Call::Kind::load || kind == Call::Kind::foresee; }
 
 /// Add, remove and commit in their plain form: all that an engine of others knows.
 bool isPlain(const Call& call);

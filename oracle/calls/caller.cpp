@@ -51,8 +51,12 @@ bool areAlike(const Error& a, const Error& b) {
 bool operator==(const Outcome& a, const Outcome& b) {
   const auto fields = [](const Outcome& o) {
     return std::tie(o.shape, o.told, o.handles, o.count, o.changes, o.chunks, o.parts, o.brushed.removed,
-                    o.brushed.added);
+                    o.brushed.added, o.foreseen.changes.added, o.foreseen.after);
   };
+  const auto areSame = [](const Body& one, const Body& other) {
+    return one.origin == other.origin && one.polygons == other.polygons;
+  };
+  if (!std::ranges::equal(a.bodies, b.bodies, areSame)) return false;
   if (a.refusal.has_value() != b.refusal.has_value() || (a.refusal && !areAlike(*a.refusal, *b.refusal))) return false;
   return fields(a) == fields(b);
 }
@@ -136,8 +140,11 @@ Outcome Caller::makeResolved(const Call& call) {
       changes = &commitBy(world, call.nth);
       out.changes = copyOf(*changes);
       break;
+    case Call::Kind::foresee:
+      foresee(call, out, [&](const Call& part) { out.parts.push_back(make(part)); });
+      return out;
     case Call::Kind::mark:
-      timeline_.mark({world.mark(), given});
+      timeline_.mark({world.mark(), given, bodies});
       return out;
     case Call::Kind::rollBack:
       if (timeline_.hasMarks()) rollBack(call, out);
@@ -173,6 +180,12 @@ Outcome Caller::makeResolved(const Call& call) {
       break;
     case Call::Kind::brush:
       if (auto done = stroke(world, call.brush); isDone(done, out)) out.brushed = std::move(*done);
+      break;
+    case Call::Kind::take:
+      take(call, out);
+      break;
+    case Call::Kind::put:
+      putBack(call, out);
       break;
   }
   if (!movesInTime(call.kind) && (!isOfMemory(call.kind) || world.stats().chunks != chunks))
@@ -260,37 +273,6 @@ void Caller::fill(const Call& call, Outcome& out) {
   if (isEmpty(call.cells)) return;  // it may have any number of rows
   for (std::int32_t j = call.cells.min.j; j <= call.cells.max.j; ++j)
     for (std::int32_t i = call.cells.min.i; i <= call.cells.max.i; ++i) keepLast({i, j}, coming.shape.size(), out);
-}
-
-bool Caller::makeGroup(const Call& call, const std::function<bool(const Call&)>& make) {
-  const std::size_t before = given.size();
-  Transaction edits = world.edit();
-  bool keeps = call.keeps != Call::Keeps::never;
-  for (const Call& part : call.group) {
-    if (make(part) || call.keeps != Call::Keeps::ifAll) continue;
-    keeps = false;
-    break;
-  }
-  if (keeps)
-    edits.keep();
-  else
-    given.resize(before);
-  return keeps;
-}
-
-void Caller::rollBack(const Call& call, Outcome& out) {
-  const bool keeps = call.keeps != Call::Keeps::never;
-  if (!isDone(world.rollBack(timeline_.at(call.nth).mark, keeps ? Undone::keep : Undone::drop), out)) return;
-  changes = &world.changesOfRollBack();
-  out.changes = copyOf(*changes);
-  given = timeline_.back(call.nth, keeps).given;
-}
-
-void Caller::redo(const Call& call, Outcome& out) {
-  if (!isDone(world.redo(timeline_.ahead(call.nth).mark), out)) return;
-  changes = &world.changesOfRollBack();
-  out.changes = copyOf(*changes);
-  given = timeline_.forward(call.nth).given;
 }
 
 void Caller::unload(const Call& call, Outcome& out) {

@@ -5,6 +5,7 @@
 #include "oracle/calls/timeline.h"
 
 #include <lgs/brush.h>
+#include <lgs/islands.h>
 #include <lgs/world.h>
 #include <functional>
 #include <map>
@@ -33,13 +34,21 @@ struct Outcome {
   ChangeLists changes;                 ///< of a commit, or of a roll-back or redo
   std::vector<Cell> chunks;            ///< that came back, by their lower-left cells
   BrushResult brushed;                 ///< of a brush
-  std::vector<Outcome> parts;          ///< of a group
+  std::vector<Body> bodies;            ///< that were taken
+  Foreseen foreseen;                   ///< what would be done
+  std::vector<Outcome> parts;          ///< of a group, or of what was foreseen
   friend bool operator==(const Outcome& a, const Outcome& b);
 };
 
 /// What a brush is told, and what it does.
 Region regionOf(const BrushEdit& brush);
 Expected<BrushResult> stroke(World& world, const BrushEdit& brush);
+
+/// A body, moved and turned by whole cells.
+Body laid(Body body, const Lies& lies);
+
+/// What holds the islands of a view that foresees.
+bool isAnchorOfView(Block block, Cell cell);
 
 class Caller {
  public:
@@ -58,6 +67,8 @@ class Caller {
 
   /// Makes a group in another way: `make` makes a part, and says whether it is accepted. Returns whether it is kept.
   bool makeGroup(const Call& call, const std::function<bool(const Call&)>& make);
+  /// The same with what is foreseen.
+  void foresee(const Call& call, Outcome& out, const std::function<void(const Call&)>& make);
 
   /// Makes the shapes that a resolved call makes, up to one that is refused, and nothing else. Whether all are made.
   bool makeShapes(const Call& call);
@@ -68,11 +79,13 @@ class Caller {
   /// The world may be edited beside; then nothing is remembered of it.
   World world;
   std::vector<PolygonHandle> given;  ///< handles of all that was placed, in the order in which that was done
+  std::vector<Body> bodies;          ///< that were taken, in that order
   bool hasMarks() const { return timeline_.hasMarks(); }
 
   struct Remembered {
     Mark mark;
     std::vector<PolygonHandle> given;
+    std::vector<Body> bodies;
   };
   const Timeline<Remembered>& timeline() const { return timeline_; }
 
@@ -85,9 +98,12 @@ class Caller {
   void fill(const Call& call, Outcome& out);
   void rollBack(const Call& call, Outcome& out);
   void redo(const Call& call, Outcome& out);
+  void remember(const Remembered& moment);
   void load(Outcome& out);
   void unload(const Call& call, Outcome& out);
   void reload(const Call& call, Outcome& out);
+  void take(const Call& call, Outcome& out);
+  void putBack(const Call& call, Outcome& out);
   bool makeShape(const Call& call, const Coming& coming, Outcome& out);
   void keepLast(Cell cell, std::size_t count, Outcome& out);
 

@@ -11,7 +11,7 @@ using Kind = Call::Kind;
 
 bool operator==(const Call& a, const Call& b) {
   const auto fields = [](const Call& c) {
-    return std::tie(c.kind, c.comes, c.goes, c.cells, c.notation, c.offset, c.room, c.keeps, c.nth, c.brush);
+    return std::tie(c.kind, c.comes, c.goes, c.cells, c.notation, c.offset, c.room, c.keeps, c.nth, c.brush, c.lies);
   };
   return fields(a) == fields(b) && a.group == b.group;
 }
@@ -32,6 +32,7 @@ Call tidied(Call call) {
   if (call.kind == exchange) call.cells.max = call.cells.min;
   if (!has(call.kind, KindOfCall::number)) call.nth = 0;
   if (call.kind != group && call.kind != rollBack) call.keeps = {};
+  if (call.kind != put) call.lies = {};
   for (Coming& c : call.comes) {
     if (!has(call.kind, KindOfCall::cell)) c.cell = {};
     if (call.kind == setBlock) c.shape = {};
@@ -94,6 +95,8 @@ std::vector<Call> simpler(const Call& call) {
   if (call.cells.min != call.cells.max) with([&](Call& c) { c.cells.max = c.cells.min; });
   if (call.notation != Notation::lattice) with([&](Call& c) { c.notation = {}; });
   if (call.room != 0) with([&](Call& c) { c.room = 0; });
+  if (call.lies.by != Cell{}) with([&](Call& c) { c.lies.by = {}; });
+  if (call.lies.symmetry != 0) with([&](Call& c) { c.lies.symmetry = 0; });
   for (Call& each : all) {
     for (Coming& coming : each.comes) coming.names.resize(std::min(coming.names.size(), coming.shape.size()));
     each = tidied(std::move(each));

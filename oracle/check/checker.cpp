@@ -66,7 +66,7 @@ class Check {
       ++seen_.stats.made[static_cast<std::size_t>(Call::Kind::repeat)];
       return Found();
     }
-    if (call.kind == Call::Kind::commit || call.kind == Call::Kind::load)
+    if (call.kind == Call::Kind::commit || commitsFirst(call.kind))
       if (auto found = commit(call.nth); found || stopped_) return found;
     if (call.kind == Call::Kind::commit) return Found();
     return seen_.library != nullptr ? make(call) : makeByName(call);
@@ -74,7 +74,8 @@ class Check {
 
   tl::expected<Found, TraceError> make(const Call& call) {
     const Model& model = seen_.model();
-    const Judged judged = call.kind == Call::Kind::group ? Judged{call, {}} : seen_.library->player().judge(call);
+    const bool isOfParts = has(call.kind, KindOfCall::parts);
+    const Judged judged = isOfParts ? Judged{call, {}} : seen_.library->player().judge(call);
     const Verdict& verdict = judged.verdict;
     seen_.stats.full += !verdict.accepted && verdict.code == ErrorCode::capacity ? 1 : 0;
     const bool isNowhere = (call.kind == Call::Kind::rollBack && !model.hasMarks()) ||

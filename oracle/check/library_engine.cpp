@@ -36,7 +36,7 @@ Outline LibraryEngine::outlineIn(const CellSet& cells) const {
 
 tl::expected<void, TraceError> LibraryEngine::apply(const Judged& judged) {
   const Call& call = judged.call;
-  auto done = call.kind == Call::Kind::group ? player_->apply(call) : player_->make(judged);
+  auto done = has(call.kind, KindOfCall::parts) ? player_->apply(call) : player_->make(judged);
   if (done && (call.kind == Call::Kind::rollBack || call.kind == Call::Kind::redo))
     changes_ = &player_->world().changesOfRollBack();
   if (!done && !done.error().isWrong) refused_.push_back({call.name(), done.error().text});

@@ -71,7 +71,7 @@ Editor::Operation Editor::pickOperation() {
       {habits_.scatter, &Editor::scatter}, {habits_.restore, &Editor::restore}, {habits_.remove, &Editor::remove},
       {habits_.clear, &Editor::clear},     {habits_.replace, &Editor::replace}, {habits_.refused, &Editor::tryRefused},
       {habits_.any, &Editor::any},         {habits_.stroke, &Editor::stroke},   {habits_.travel, &Editor::travel},
-      {habits_.memory, &Editor::remember},
+      {habits_.memory, &Editor::remember}, {habits_.carry, &Editor::carry},
   };
   int total = 0;
   for (const auto& entry : weighted) total += entry.first;

@@ -35,6 +35,7 @@ struct EditHabits {
   int stroke = 0;   ///< of a brush
   StrokeHabits strokes = {};
   int travel = 0;  ///< marks, back and forward; groups; copies, saves
+  int carry = 0;   ///< islands are taken and put back, edits are foreseen
   int memory = 0;  ///< chunks leave memory, and come back; places are forgotten; cells are worn
 
   int commitPercent = 100;  ///< chance of a commit after an operation
@@ -82,8 +83,11 @@ class Editor {
   void any(Cell cell);
   void stroke(Cell cell);
   void travel(Cell cell);
+  void carry(Cell cell);
   void remember(Cell cell);
+  void cutAtTheEdge(Cell cell);
 
+  static Call squareAt(Cell cell);
   Call anyEdit(Cell cell);
   std::vector<Cell> rectangleAt(Cell cell);
   void empty(Cell cell);

@@ -3,6 +3,7 @@
 #include "oracle/reference/vector.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -34,6 +35,13 @@ class Noter {
   explicit Noter(Features& features) : features_(features) {}
 
   void mark(Feature feature) { features_[static_cast<std::size_t>(feature)] = true; }
+
+  /// Whether pairs have shown already all that they can.
+  bool knowsPairs() const {
+    using enum Feature;
+    constexpr std::array kOfPairs{midEdge, partialOverlap, sharedInCell, sharedSlope, manyInCell};
+    return std::ranges::all_of(kOfPairs, [&](Feature f) { return features_[static_cast<std::size_t>(f)]; });
+  }
 
   void pair(const Edges& p, const Edges& q, bool sameCell) {
     if (sameCell) mark(Feature::manyInCell);
@@ -83,7 +91,7 @@ void note(const Scene& scene, Features& features) {
     for (const LocalPoint& v : p.vertices) {
       if (v.x % kUnitsPerCell == 0 && v.y % kUnitsPerCell == 0) corners[toWorld(p.cell, v)].insert(p.cell);
     }
-    for (std::size_t l = 0; l < k; ++l) {
+    for (std::size_t l = 0; l < k && !noter.knowsPairs(); ++l) {
       const ScenePolygon& q = scene.polygons[l];
       if (isBeside(p.cell.i, q.cell.i) && isBeside(p.cell.j, q.cell.j))
         noter.pair(edges[k], edges[l], p.cell == q.cell);

@@ -110,8 +110,10 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   const bool isOfMemory =
       !options.inMemory && (mostly == memory || mostly == memoryToo || (options.streams && random.chance(70)));
   const bool isAtCorner = options.isOfCalls && (isOfMemory || random.chance(40));
-  if (isAtCorner)  // of four chunks, which may leave memory
-    origin = {32 * (random.below(5) - 2) - width / 2, 32 * (random.below(5) - 2) - height / 2};
+  if (isAtCorner) {  // of four chunks, which may leave memory; or where the last one is a column or row wide
+    origin.i = random.chance(12) ? kMaxCell - width + 1 : 32 * (random.below(5) - 2) - width / 2;
+    origin.j = random.chance(12) ? kMaxCell - height + 1 : 32 * (random.below(5) - 2) - height / 2;
+  }
   origin = {within(options.can.cells, width, origin.i), within(options.can.cells, height, origin.j)};
   habits.cells = grid(origin, width, height);
   if (isAtCorner && random.chance(45)) {  // all of it at the corner itself
@@ -140,6 +142,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
     if (mostly == time || isOfMemory) habits.travel = isOfMemory ? 10 : 40;
     if (isOfMemory) habits.memory = 25;
     if (mostly == refusal) habits.refused = 12;
+    habits.carry = random.chance(30) ? 1 + random.below(4) : 0;
   }
   habits.strokes.blocks = habits.blocks;
   habits.strokes.can = options.can;

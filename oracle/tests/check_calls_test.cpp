@@ -85,6 +85,58 @@ TEST_F(CheckModel, WhatIsPendingIsKnownOrNot) {
   EXPECT_EQ(mayFollow(), std::nullopt);
 }
 
+// A square at (0, 0), one that touches it with a corner, and one apart.
+class CheckBodies : public testing::Test {
+ protected:
+  CheckBodies() {
+    for (const Call& call : {square("a", {0, 0}), square("b", {1, 1}), square("c", {4, 0}), Call::commit()})
+      EXPECT_TRUE(model_.play(call));
+    named_.goes = {{.how = Named::How::name, .name = "b"}};
+  }
+  std::string said(std::vector<Body> bodies) const {
+    const Call call = model_.resolved(named_);
+    Outcome outcome;
+    outcome.bodies = std::move(bodies);
+    return model_.wrongAnswer(call, model_.judgeResolved(call), outcome, World());
+  }
+  static Body body(Cell origin, std::vector<Cell> cells) {
+    Body body{.origin = origin, .cells = {origin, origin}, .polygons = {}, .mass = {}};
+    for (const Cell cell : cells) {
+      body.polygons.push_back({cell, 1, test::unitSquare()});
+      body.cells.max = {origin.i + cell.i, origin.j + cell.j};
+    }
+    return body;
+  }
+
+  Model model_;
+  Call named_ = Call::of(Kind::take);
+};
+
+TEST_F(CheckBodies, AreWhatHangsTogether) {
+  EXPECT_EQ(said({body({0, 0}, {{0, 0}, {1, 1}})}), "");
+  EXPECT_EQ(said({body({0, 0}, {{1, 1}, {0, 0}})}), "takes other polygons than those that hang together");
+  EXPECT_EQ(said({body({1, 1}, {{0, 0}})}), "takes other polygons than those that hang together");
+  EXPECT_EQ(said({body({0, 0}, {{0, 0}}), body({1, 1}, {{0, 0}})}), "takes 2 bodies instead of 1");
+  EXPECT_EQ(said({}), "takes nothing");
+  named_.nth = Call::kApart;
+  EXPECT_EQ(said({body({0, 0}, {{0, 0}}), body({1, 1}, {{0, 0}})}), "");
+  EXPECT_EQ(said({body({0, 0}, {{0, 0}, {1, 1}})}), "takes 1 bodies instead of 2");
+}
+
+TEST_F(CheckBodies, ComeBackWhereThereIsRoom) {
+  EXPECT_TRUE(model_.play(named_));
+  EXPECT_EQ(model_.standing().polygons(), 1U);
+  Call comes = Call::of(Kind::put);
+  comes.lies = {.by = {4, 0}, .symmetry = 0};
+  EXPECT_EQ(model_.judge(comes).code, ErrorCode::overlap);
+  EXPECT_EQ(model_.judge(comes).index, 0);
+  comes.lies = {.by = {3, -1}, .symmetry = 0};
+  EXPECT_EQ(model_.judge(comes).index, 1);
+  comes.lies.symmetry = 2;  // upside down: (4, -2) is free
+  EXPECT_TRUE(model_.play(comes));
+  EXPECT_EQ(model_.standing().in({4, -2}).size(), 1U);
+}
+
 TEST_F(CheckModel, AnEditEndsRedo) {
   Call back = Call::of(Kind::rollBack);
   back.keeps = Call::Keeps::always;

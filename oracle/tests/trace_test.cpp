@@ -118,7 +118,8 @@ TEST(Trace, OfVersion4HasAllCalls) {
       "clear 0 0 -1 -1\nshape  0 0 -32768 0 1 1\ngroup all\nremove a\nclear 0 0 0 0\nend\ncommit\ncommit 3\nmark\n"
       "back 2 keep\nback 0\nforward 1\nforget 0\nleave 0 0 31 31\ncopy\nload\nunload 0 0 31 31\n"
       "reload 0 0 31 31 1\nreloadEmpty 0 0 31 31\npaint 1 fill  0 0 1 0 1 1 united around 1 2\ncarve  0 0 1 0 1 1\n"
-      "repeat 300\nplace 0 0 1  0 0 1 0 1 1\nclear 0 0 0 0\nend\n";
+      "repeat 300\nplace 0 0 1  0 0 1 0 1 1\nclear 0 0 0 0\nend\ntake 0:0#1\ntake a 3\nput 0\nput 2 by -1 3 turned 5\n"
+      "foresee\ntake given#0\nput 1 turned 7\nend\n";
   const Trace trace = mustParse(text);
   EXPECT_EQ(printTrace(trace), text);
   EXPECT_EQ(mustParse(printTrace(trace)), trace);
@@ -159,6 +160,8 @@ TEST(Trace, BadWordsSayFileLineAndReason) {
       {"lgs-trace 4\nend\n", "bad.trace:2: end without the begin of a group"},
       {"lgs-trace 4\ngroup keep\n", "bad.trace:2: the trace ends within a group"},
       {"lgs-trace 4\ngroup keep\nmark\nend\n", "bad.trace:3: mark can not stand in a group"},
+      {"lgs-trace 4\nforesee\ncommit\nend\n", "bad.trace:3: commit can not stand in a group"},
+      {"lgs-trace 4\nput 0 turned 8\n", "bad.trace:2: the symmetries of a cell are 0 to 7"},
       {"lgs-trace 4\ngroup maybe\n", "bad.trace:2: the end of a group is one of drop, keep, all, not 'maybe'"},
       {"lgs-trace 4\nremove 0:x#1\n", "bad.trace:2: the number after ':' 'x' is not an integer"},
       {"lgs-trace 4\nback\nforward one\n", "bad.trace:3: the number 'one' is not an integer"},

@@ -236,17 +236,20 @@ std::string printCall(const Call& call) {
   if (has(kind, KindOfCall::rect)) text += print(call.cells.min) + print(call.cells.max);
   for (const Named& named : call.goes) text += print(named);
   if (kind == Kind::exchange && !call.comes.empty()) text += " with";
-  for (const Coming& coming : call.comes) text += (&coming == call.comes.data() ? "" : " ;") + print(coming, kind);
+  for (const Coming& coming : call.comes)
+    if (kind != Kind::put) text += (&coming == call.comes.data() ? "" : " ;") + print(coming, kind);
   if (call.notation != Notation::lattice) {
     text += fmt::format("  in {}", kNotations[static_cast<std::size_t>(call.notation)]);
     if (call.offset != 0) text += fmt::format(" {}", call.offset);
   }
   if (call.room != 0) text += fmt::format("  room {}", call.room);
-  if (has(kind, KindOfCall::number) && (call.nth != 0 || (kind != Kind::commit && kind != Kind::reload)))
-    text += fmt::format(" {}", call.nth);
+  const bool mayLackNumber = kind == Kind::commit || kind == Kind::reload || kind == Kind::take;
+  if (has(kind, KindOfCall::number) && (call.nth != 0 || !mayLackNumber)) text += fmt::format(" {}", call.nth);
+  if (call.lies.by != Cell{}) text += " by" + print(call.lies.by);
+  if (call.lies.symmetry != 0) text += fmt::format(" turned {}", call.lies.symmetry);
   if (kind == Kind::rollBack && call.keeps != Call::Keeps::never) text += " keep";
   for (const Call& part : call.group) text += "\n" + printCall(part);
-  return kind == Kind::group || kind == Kind::repeat ? text + "\nend" : text;
+  return has(kind, KindOfCall::parts) ? text + "\nend" : text;
 }
 
 Fault readCall(Words words, Call& call) {
@@ -276,7 +279,7 @@ Fault readCall(Words words, Call& call) {
     call.cells.max = call.cells.min;
   }
   if (has(kind, KindOfCall::rect)) in.rect(call.cells);
-  if (kind == Kind::remove || kind == Kind::setBlock) in.named(call.goes.emplace_back());
+  if (kind == Kind::remove || kind == Kind::setBlock || kind == Kind::take) in.named(call.goes.emplace_back());
   if (kind == Kind::removeMany || kind == Kind::exchange)
     while (in.isGood() && !in.isAtEnd() && !in.is("with") && !in.is("room")) in.named(call.goes.emplace_back());
   const bool isOfMany = (kind == Kind::addMany && !in.isAtEnd() && !in.is("in") && !in.is("room")) ||
@@ -296,6 +299,9 @@ Fault readCall(Words words, Call& call) {
   }
   if (has(kind, KindOfCall::number) && !in.isAtEnd()) in.number("number", call.nth);
   if (in.isGood() && kind == Kind::repeat && call.nth > 1'000) in.fail("calls are repeated 1000 times at most");
+  if (in.isGood() && kind == Kind::put && in.take("by")) in.cell(call.lies.by);
+  if (in.isGood() && kind == Kind::put && in.take("turned")) in.number("number of a symmetry", call.lies.symmetry);
+  if (in.isGood() && call.lies.symmetry > 7) in.fail("the symmetries of a cell are 0 to 7");
   if (in.isGood() && kind == Kind::rollBack && in.take("keep")) call.keeps = Call::Keeps::always;
   if (Fault fault = in.end(); !fault.empty()) return fault;
   call = tidied(std::move(call));

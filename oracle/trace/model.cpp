@@ -22,8 +22,9 @@ PreserveRelation relationOf(const PreservePairs& pairs) {
 
 Call Model::resolved(const Call& call) const {
   using enum Named::How;
-  if (call.goes.empty()) return call;
+  if (call.goes.empty() && call.kind != Kind::put) return call;
   Call out = call;
+  if (call.kind == Kind::put) out.comes = comingOf(call);
   out.goes.clear();
   const auto put = [&](PolygonHandle at, std::string of) {
     out.goes.push_back({.how = handle, .handle = at, .name = std::move(of)});
@@ -101,7 +102,10 @@ void Model::apply(const Call& call, const Outcome* outcome, const World* world) 
     case Kind::group:
     case Kind::repeat:
     case Kind::follow:
+    case Kind::foresee:
       return;
+    case Kind::take:
+      return take(call, outcome);
     case Kind::commit:
       now_.pending = Pending::no;
       now_.alone.clear();
@@ -154,10 +158,11 @@ bool Model::play(const Call& call) {
       for (const Call& part : call.group) play(part);
     return true;
   }
-  if (call.kind == Kind::group) {
+  if (call.kind == Kind::group || call.kind == Kind::foresee) {
+    if (call.kind == Kind::foresee) apply(Call::commit());
     const State before = now_;
     const Redo redo = timeline_.redo();
-    bool keeps = call.keeps != Call::Keeps::never;
+    bool keeps = call.kind == Kind::group && call.keeps != Call::Keeps::never;
     for (const Call& part : call.group) {
       if (play(part) || call.keeps != Call::Keeps::ifAll) continue;
       keeps = false;

@@ -39,7 +39,7 @@ struct Verdict {
 
 class Model {
  public:
-  /// The same call with what goes as handles and names, as they are now.
+  /// The same call with what goes as handles and names, as they are now, and with what comes of a body.
   Call resolved(const Call& call) const;
 
   /// Of a call that is no group, and is not repeated. Where two things are wrong with an exchange, either may be told.
@@ -98,11 +98,12 @@ class Model {
   enum class Pending : std::uint8_t { no, maybe, sure };  ///< edits since the last commit
   struct State {
     Standing standing;
-    std::map<Cell, Content> away;  ///< chunks that are not in memory
-    std::set<Cell> chunks;         ///< all of them
-    std::set<Cell> alone;          ///< of those not in memory: no loaded one was around it at the last commit
-    std::vector<Given> given;      ///< all that was ever placed
-    Pending pending{};             ///< *maybe* where what was done may change nothing
+    std::map<Cell, Content> away;   ///< chunks that are not in memory
+    std::set<Cell> chunks;          ///< all of them
+    std::set<Cell> alone;           ///< of those not in memory: no loaded one was around it at the last commit
+    std::vector<Given> given;       ///< all that was ever placed
+    std::vector<Body> bodies = {};  ///< all that was taken; their mass is not known
+    Pending pending{};              ///< *maybe* where what was done may change nothing
   };
 
   /// Undoes a group of edits: these are from when it began.
@@ -121,6 +122,13 @@ class Model {
   std::vector<Cell> chunksWithin(const CellRect& cells, bool areLoaded) const;
   std::string wrongHandles(const Call& call, const Outcome& outcome) const;
   std::string wrongChunks(const Call& call, const Outcome& outcome) const;
+  std::string wrongBodies(const Call& call, const Outcome& outcome) const;
+  std::vector<std::string> islandOf(const std::string& name, bool byEdges) const;
+  std::vector<Body> bodiesOf(const Call& call) const;
+  Verdict judgeTake(const Call& call) const;
+  std::vector<Coming> comingOf(const Call& call) const;
+  std::string nameOf(const Body& body, const BodyPolygon& polygon) const;
+  void take(const Call& call, const Outcome* outcome);
   void isPending(Pending least) { now_.pending = std::max(now_.pending, least); }
   void place(Cell cell, const Coming& coming, std::span<const PolygonHandle> handles);
   void clear(const CellRect& cells);

@@ -18,10 +18,10 @@ std::string cellInWords(Cell cell) {
   return cell == Error::kNoCell ? "no cell" : fmt::format("({}, {})", cell.i, cell.j);
 }
 
-// The polygons that an error counts: of addMany() those of the entry to blame, or of the first shape that can not be made.
+// The polygons that an error counts: of addMany() and put() those of the entry to blame, or of the first shape that can not be made.
 Shape countedBy(const Error& error, const Call& call) {
   Shape all;
-  if (call.kind != Kind::addMany)
+  if (call.kind != Kind::addMany && call.kind != Kind::put)
     for (const Coming& coming : call.comes) all.insert(all.end(), coming.shape.begin(), coming.shape.end());
   else if (error.index >= 0)
     all = call.comes[static_cast<std::size_t>(error.index)].shape;
@@ -78,6 +78,7 @@ std::string Model::wrongAnswer(const Call& call, const Verdict& verdict, const O
     if (outcome.refusal && !verdict.isOpen) return "refused, but is good: " + message(*outcome.refusal);
     if (!outcome.refusal) {
       std::string wrong = wrongHandles(call, outcome);
+      if (wrong.empty()) wrong = wrongBodies(call, outcome);
       return wrong.empty() ? wrongChunks(call, outcome) : wrong;
     }
   }
@@ -98,7 +99,7 @@ std::string Model::wrongAnswer(const Call& call, const Verdict& verdict, const O
   if (std::string wrong = wrongPart(call, error); !wrong.empty()) return "the refusal " + wrong;
   if (error.index != verdict.index) return fmt::format("blames entry {} instead of {}", error.index, verdict.index);
   const auto isNamed = [&](const Named& named) { return named.handle == error.other; };
-  if (error.code == ErrorCode::staleHandle && std::ranges::none_of(call.goes, isNamed))
+  if (error.code == ErrorCode::staleHandle && call.kind != Kind::take && std::ranges::none_of(call.goes, isNamed))
     return "names no handle of the call";
   return error.code == ErrorCode::overlap ? wrongOverlap(error, call, world) : "";
 }

@@ -152,6 +152,9 @@ Verdict Model::judgeParts(const Call& call) const {
     case Kind::remove:
     case Kind::setBlock:
       return call.goes[0].name.empty() ? goesWrong(call.goes[0]) : Verdict{};
+    case Kind::take:
+      return judgeTake(call);
+    case Kind::put:
     case Kind::addMany: {
       std::set<Cell> cells;
       for (const Coming& coming : call.comes) cells.insert(coming.cell);

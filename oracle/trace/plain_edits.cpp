@@ -122,7 +122,7 @@ Trace inPlainEdits(const Trace& trace) {
       part.line = call.line;
       plain.calls.push_back(std::move(part));
     }
-    if (call.kind == Call::Kind::commit || call.kind == Call::Kind::load) plain.calls.push_back(Call::commit());
+    if (call.kind == Call::Kind::commit || commitsFirst(call.kind)) plain.calls.push_back(Call::commit());
   }
   return plain;
 }

@@ -20,6 +20,7 @@ Judged Player::judge(const Call& call) const {
 
 Player::Done Player::apply(const Call& call) {
   if (call.kind == Kind::group) return makeGroup(call);
+  if (call.kind == Kind::foresee) return foresee(call);
   if (call.kind != Kind::repeat) return make(judge(call));
   for (std::uint32_t k = 0; k < call.nth; ++k)
     for (const Call& part : call.group)
@@ -65,6 +66,29 @@ Player::Done Player::makeGroup(const Call& call) {
   return {};
 }
 
+// What would be has not been; but it commits.
+Player::Done Player::foresee(const Call& call) {
+  commit();
+  const Model::State before = model_.state();
+  const Redo redo = model_.redo();
+  const Moment moment = now_;
+  const std::set<Cell> edited = edited_;
+  Done done;
+  Outcome outcome;
+  caller_.foresee(call, outcome, [&](const Call& part) {
+    if (done || !done.error().isWrong) done = apply(part);
+  });
+  if (!done && done.error().isWrong) return done;
+  model_.restore(before, redo);
+  now_ = moment;
+  edited_ = edited;
+  moments_.happened(Redo::maybe);
+  hasLeft_ = true;
+  if (outcome.changes != ChangeLists()) return wrong("a commit of nothing changes something");
+  foreseen_ = std::move(outcome);
+  return {};
+}
+
 // Those that go elsewhere in time or memory leave no trace.
 void Player::keepMoment(const Call& call) {
   const std::set<Cell> away = model_.chunksAway();
@@ -102,7 +126,10 @@ void Player::turn(const std::set<Cell>& away) {
 }
 
 // Of a call that is accepted, before the model makes it.
-void Player::noteEdited(const Call& call) {
+void Player::noteEdited(const Call& call, const Outcome& outcome) {
+  for (const Body& body : outcome.bodies)
+    for (const BodyPolygon& p : body.polygons) edited_.insert({body.origin.i + p.cell.i, body.origin.j + p.cell.j});
+  if (call.kind == Kind::take) return;
   const bool isAnywhere = call.kind == Kind::fill || call.kind == Kind::exchange || call.kind == Kind::setBlock;
   for (const Coming& coming : call.comes)
     if (!isAnywhere && call.kind != Kind::shape) edited_.insert(coming.cell);
@@ -135,7 +162,7 @@ Player::Done Player::makeCall(const Judged& judged) {
   if (call.kind == Kind::reloadEmpty && model_.hasMarks() && outcome.count != 0) isOfOnePast_ = false;
   hasStreamed_ = hasStreamed_ || isOfMemory(call.kind);
   if (isDone) {
-    if (isEdit(call.kind)) noteEdited(call);
+    if (isEdit(call.kind)) noteEdited(call, outcome);
     model_.apply(call, &outcome, &world());
     if (call.kind == Kind::reload && model_.chunks() != chunks) {
       moments_.happened(Redo::maybe);
@@ -299,7 +326,7 @@ tl::expected<void, TraceError> play(const Trace& trace, Player& player, const Co
     return !afterCommit || afterCommit(player, changes);
   };
   for (const Call& call : trace.calls) {
-    if (call.kind == Kind::commit || call.kind == Kind::load)
+    if (call.kind == Kind::commit || commitsFirst(call.kind))
       if (!commit(call.nth)) return {};
     if (call.kind == Kind::commit) continue;
     if (auto done = player.apply(call); !done && (!trace.mayRefuse || done.error().isWrong)) return done;

@@ -67,6 +67,8 @@ class Player {
   PolygonHandle handleOf(const std::string& name) const { return standing().handleOf(name); }  ///< of a name alive
   const auto& timeline() const { return caller_.timeline(); }
   std::set<Cell> takeEdited() { return std::exchange(edited_, {}); }  ///< that were edited since it was asked last
+  const Caller& caller() const { return caller_; }
+  const Outcome& foreseen() const { return foreseen_; }      ///< what was foreseen last
   const Brushed& brushed() const { return brushed_; }        ///< by the last call; empty if that was none of a brush
   std::size_t shapes() const { return now_.shapes.size(); }  ///< the number of different ones that the world has made
 
@@ -80,12 +82,13 @@ class Player {
   using Done = tl::expected<void, TraceError>;
 
   Done makeGroup(const Call& call);
+  Done foresee(const Call& call);
   Done makeCall(const Judged& judged);
   Done brush(const Judged& judged);
   Done readBack(const Call& call, const BrushResult& result);
   Done checkShapes(const Call& call, const Outcome& outcome);
   void keepMoment(const Call& call);
-  void noteEdited(const Call& call);
+  void noteEdited(const Call& call, const Outcome& outcome);
   void turn(const std::set<Cell>& away);
   std::string badName(const Call& call) const;
   tl::unexpected<TraceError> refused(const Error& error) const;
@@ -98,6 +101,7 @@ class Player {
   };
 
   Caller caller_;
+  Outcome foreseen_;
   PreservePairs preserve_;
   Model model_;
   Moment now_;

@@ -46,9 +46,9 @@ class Parser {
     if (!fault.empty()) return fault;
     if (!open_.empty() && call.kind != Call::Kind::commit && !isEdit(call.kind))
       return fmt::format("{} can not stand in a group", words[0]);
-    if (!open_.empty() && open_.back().kind == Call::Kind::group && call.kind == Call::Kind::commit)
+    if (!open_.empty() && open_.back().kind != Call::Kind::repeat && call.kind == Call::Kind::commit)
       return "commit can not stand in a group";
-    const bool begins = call.kind == Call::Kind::group || call.kind == Call::Kind::repeat;
+    const bool begins = has(call.kind, KindOfCall::parts);
     begins ? open_.push_back(std::move(call)) : put(std::move(call));
     return {};
   }

@@ -23,11 +23,16 @@
 //   group <keep|drop|all> … end                                repeat <times> … end
 //   mark    back <mark> [keep]    forward <mark>    forget <mark>    copy    load    follow <0|1>
 //   unload <rectangle>    reload <rectangle> [<order>]    reloadEmpty <rectangle>    leave <rectangle>
+//   take <which> [<how>]    put <body> [by <i> <j>] [turned <symmetry>]    foresee … end
 //
 // A rectangle is i j of its first and i j of its last cell. A shape is one or several polygons, | between them; or
 // `id <number>`, which need not be known. <which> polygon is one of a name, or `0:-1#2`, one of those that stand in a
 // cell, `0:-1#all`, `given#5`, one of all that were ever placed, `beside#5`, a handle near that, or `handle#7:1`. Marks
-// are counted from the oldest, those ahead from the last; all counts go on from the beginning. `in list`, `in floats 2`
+// are counted from the oldest, those ahead from the last; all counts go on from the beginning. `take` takes the island
+// of a polygon out of the world as a body (<lgs/islands.h>); how: 1 as several bodies, held by edges, 2 with what is
+// unloaded as empty ground, 3 both. `put` sets a body into the ground, counted from the first that was taken: where it
+// was, or some cells further, or turned or mirrored about its origin, 1 to 7. `foresee` commits, and says what edits
+// would do to the islands. `in list`, `in floats 2`
 // and `in doubles 2` say how a single polygon is given, and how far its reals are off the lattice; `room 1` to `3` at
 // the end of a line that there is a span for handles, with one too few, just enough, or one too many places. `paint` and
 // `carve` may end in `united` (the rings are simple and united) and `around <block> …`, which stay. What must be refused

@@ -1,7 +1,7 @@
 #include "oracle/views/beyond_check.h"
 
+#include "oracle/reference/touching.h"
 #include "oracle/views/island_check.h"
-#include "oracle/views/touching.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "oracle/views/island_check.h"
 
-#include "oracle/views/touching.h"
+#include "oracle/reference/touching.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "oracle/views/named_islands.h"
 
-#include "oracle/views/touching.h"
+#include "oracle/reference/touching.h"
 
 #include <fmt/format.h>
 

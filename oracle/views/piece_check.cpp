@@ -147,11 +147,13 @@ std::optional<std::string> faultOfPlaces(const Pieces& pieces, const std::vector
   return std::nullopt;
 }
 
-/// Each cell without pieces of the other part is in one rectangle of wholeCells(), and no other cell is.
+/// Each cell without pieces of the other part is in one rectangle of wholeCells(), and no other cell is. A row of one is
+/// as long as it gets, and the rows below and above it are no such rows.
 std::optional<std::string> faultOfWholeCells(const Pieces& pieces, const CellRect& cells) {
   for (const Part part : {Part::solid, Part::free}) {
     std::set<Cell> whole;
-    for (const CellRect& r : pieces.wholeCells(cells, part))
+    const std::vector<CellRect> rects = pieces.wholeCells(cells, part);
+    for (const CellRect& r : rects)
       for (std::int32_t j = r.min.j; j <= r.max.j; ++j)
         for (std::int32_t i = r.min.i; i <= r.max.i; ++i)
           if (!whole.insert({i, j}).second) return "wholeCells() has a cell twice";
@@ -166,6 +168,14 @@ std::optional<std::string> faultOfWholeCells(const Pieces& pieces, const CellRec
       }
     }
     if (whole.size() != expected) return "wholeCells() has a cell too many";
+    const auto isRow = [&](const CellRect& r, std::int32_t j) {
+      for (std::int32_t i = r.min.i; i <= r.max.i; ++i)
+        if (!whole.contains({i, j})) return false;
+      return !whole.contains({r.min.i - 1, j}) && !whole.contains({r.max.i + 1, j});
+    };
+    for (const CellRect& r : rects)
+      if (!isRow(r, r.min.j) || !isRow(r, r.max.j) || isRow(r, r.min.j - 1) || isRow(r, r.max.j + 1))
+        return "wholeCells() has other rows than it says";
   }
   return std::nullopt;
 }

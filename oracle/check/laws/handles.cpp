@@ -10,7 +10,7 @@ class HandlesLaw : public Law {
  public:
   void before(Seen&, const Judged& judged) override {
     going_.clear();
-    if (!judged.verdict.accepted || judged.call.kind == Call::Kind::setBlock) return;
+    if (!judged.verdict.accepted || judged.verdict.isOpen || judged.call.kind == Call::Kind::setBlock) return;
     for (const Named& named : judged.call.goes) going_.push_back(named.handle);
   }
 

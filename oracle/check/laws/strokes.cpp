@@ -124,6 +124,23 @@ std::string wrongWithout(const Region& region, const Region& taken, Random& rand
   return "";
 }
 
+/// The cells that the vertices reach; those of a side that ends at the border of a cell are on its near side.
+std::string wrongBounds(const Region& region, const CellRect& bounds) {
+  Point min{INT64_MAX, INT64_MAX}, max{INT64_MIN, INT64_MIN};
+  for (const Ring& ring : region.rings) {
+    for (const Point p : ring) {
+      min = {std::min(min.x, p.x), std::min(min.y, p.y)};
+      max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+    }
+  }
+  const bool isNothing = min.x >= max.x || min.y >= max.y;
+  if (isNothing != isEmpty(bounds))
+    return "boundsOf() has cells of a region without width or height, or none of another";
+  const auto cell = [](std::int64_t v) { return static_cast<std::int32_t>(v >> kCellBits); };
+  const bool isLeast = isNothing || bounds == CellRect{{cell(min.x), cell(min.y)}, {cell(max.x - 1), cell(max.y - 1)}};
+  return isLeast ? "" : "boundsOf() is not the least rectangle of a region";
+}
+
 class StrokesLaw : public Law {
  public:
   Found after(Seen& seen, const Judged& judged, bool isRefused) override {
@@ -131,6 +148,8 @@ class StrokesLaw : public Law {
     const Region region = regionOf(judged.call.brush);
     const auto bounds = boundsOf(region);
     const auto isWide = [](std::int32_t min, std::int32_t max) { return std::int64_t{max} - min >= kMostCells; };
+    if (std::string wrong = bounds ? wrongBounds(region, *bounds) : ""; !wrong.empty())
+      return seen.mismatch(Mismatch::Kind::reading, std::move(wrong));
     if (!bounds || isEmpty(*bounds) || isWide(bounds->min.i, bounds->max.i) || isWide(bounds->min.j, bounds->max.j))
       return std::nullopt;
     Random random(seen.edits);

@@ -15,9 +15,6 @@
 namespace lgs::oracle {
 namespace {
 
-// Some polygons hold their islands, wherever they are.
-bool isAnchor(Block block, Cell cell) { return block % 3 == 1 || (std::int64_t{cell.i} + cell.j) % 5 == 0; }
-
 class ViewsLaw : public Law {
  public:
   void begin(Seen& seen) override {
@@ -39,6 +36,7 @@ class ViewsLaw : public Law {
       views_.reset();
       isAsked_ = begins(seen);
     }
+    if (kind == foresee && !seen.trace.preserve.empty()) views_.reset();  // it rolls back
     if (views_ && kind == leave)
       std::ranges::set_difference(away_, chunksAway(seen), std::inserter(forgotten_, forgotten_.end()));
     return std::nullopt;
@@ -56,15 +54,15 @@ class ViewsLaw : public Law {
     lookAway(seen);
     const World& world = seen.world();
     const std::size_t most = seen.trace.preserve.empty() ? 4 : 8;  // small ones come to their limit
-    views_.emplace(Followed{Islands(world, isAnchor),
-                            IslandCheck(isAnchor),
-                            BeyondCheck(isAnchor),
+    views_.emplace(Followed{Islands(world, isAnchorOfView),
+                            IslandCheck(isAnchorOfView),
+                            BeyondCheck(isAnchorOfView),
                             Pieces(world, {most}),
                             PieceCheck(),
                             GroundHashes(world),
                             {}});
     const Islands& islands = views_->islands;
-    if (streams_) views_->open.emplace(Islands(world, isAnchor, AtEdge::open), IslandCheck(isAnchor));
+    if (streams_) views_->open.emplace(Islands(world, isAnchorOfView, AtEdge::open), IslandCheck(isAnchorOfView));
     auto wrong = streams_ ? said(views_->beyondCheck.begin(world, ground(seen), islands))
                           : views_->islandCheck.begin(world, islands);
     if (!wrong && views_->open) wrong = views_->open->second.begin(world, views_->open->first);

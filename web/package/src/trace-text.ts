@@ -48,6 +48,7 @@ export const badTrace = (line: number, what: string) => new LgsError('bad-trace'
 /** Calls of C++ that this package has not. */
 const others: Record<string, string> = {
   exchange: 'exchange()', group: 'groups of edits', copy: 'copies of a world', leave: 'forgetChunks()',
+  take: 'bodies in a trace', put: 'bodies in a trace', foresee: 'foresee() in a trace',
 }
 const isReal = (word: string) => /^[-+.\d]/.test(word)
 

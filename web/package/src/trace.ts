@@ -40,7 +40,7 @@ function linesOf(text: string): Words[] {
 
 /**
  * Reads a trace. Looks at the words alone: whether a polygon is good is seen when the trace is played. A call that this
- * package has not is refused here: groups, copies, exchange(), shapes of several polygons.
+ * package has not is refused here: groups, copies, exchange(), bodies, shapes of several polygons.
  */
 export function parseTrace(text: string): Trace {
   if (typeof text !== 'string') throw bad('text', 'a string', text)

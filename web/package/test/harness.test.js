@@ -131,7 +131,7 @@ test('traces of any calls: the outline is that of the native command', { skip },
   }))
 
 test('a call that the package has not is refused, with the line and what there is', () => {
-  for (const line of ['group keep', 'copy', 'leave 0 0 1 1', 'exchange 0 0 a', 'place 0 0 1 0 0 1 0 1 1 | 0 0 1 1 0 1', 'remove handle#3:1',
+  for (const line of ['group keep', 'copy', 'take a', 'put 0', 'foresee', 'leave 0 0 1 1', 'exchange 0 0 a', 'place 0 0 1 0 0 1 0 1 1 | 0 0 1 1 0 1', 'remove handle#3:1',
     'carve 0 0 1 0 1 1 around 3', 'add a 0 0 1 0 0 1 0 1 1 in floats 2', 'place 0 0 1 0 0 1 0 1 1 room 2'])
     assert.throws(() => parseTrace(`lgs-trace 4\ncommit\n${line}\n`),
       (error) => error.code === 'bad-trace' && error.line === 3 && /JavaScript has no .*: the lgs command plays this line/.test(error.message), line)

@@ -1,4 +1,4 @@
-#include "oracle/views/touching.h"
+#include "oracle/reference/touching.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -51,6 +51,20 @@ bool haveCommonPoint(const ScenePolygon& one, const ScenePolygon& other) {
   const Ring a = ringOf(one), b = ringOf(other);
   return std::ranges::any_of(a, [&](Point p) { return isInOrOn(p, b); }) ||
          std::ranges::any_of(b, [&](Point p) { return isInOrOn(p, a); }) || edgesCross(a, b);
+}
+
+bool haveCommonEdge(const ScenePolygon& one, const ScenePolygon& other) {
+  const Ring p = ringOf(one), q = ringOf(other);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    for (std::size_t n = 0; n < q.size(); ++n) {
+      const Point a = p[k], b = p[(k + 1) % p.size()], c = q[n], d = q[(n + 1) % q.size()];
+      if (triangle(a, b, c) != 0 || triangle(a, b, d) != 0) continue;
+      const bool isLong = std::max(std::min(a, b), std::min(c, d)) < std::min(std::max(a, b), std::max(c, d));
+      const bool isOpposite = (a < b) != (c < d);
+      if (isLong && isOpposite) return true;
+    }
+  }
+  return false;
 }
 
 std::vector<std::size_t> setsOf(const std::vector<ScenePolygon>& polygons) {
