@@ -38,7 +38,7 @@ test('each of the ten figures answers to the mouse and to the arrow keys', () =>
     assert.deepEqual(await page.locator('figure[data-ready]').evaluateAll((all) => all.map(({ id }) => id)), names)
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320)
     await page.locator('#million').scrollIntoViewIfNeeded()
-    await saysSoon(page, 'million', /Tap somewhere/)
+    await saysSoon(page, 'million', /Drag to dig/)
     const ways = { seams: [3, 0], cuts: [0, 0.3], cancel: [-1, 0], cells: [1, 0], fan: [0.2, 0.3], touch: [1, 0] }
     for (const name of names) {
       const state = () => page.locator(`#${name}`).evaluate((figure) => figure.querySelector('svg').innerHTML)
@@ -148,7 +148,7 @@ test('law 2: the hand stops at the successor and at the predecessor, and a walk 
 test('a dig in a million cells, and a vertex under the lens', () =>
   browser.onPath(async (page) => {
     await page.locator('#million').scrollIntoViewIfNeeded()
-    await saysSoon(page, 'million', /Tap somewhere/)
+    await saysSoon(page, 'million', /Drag to dig/)
     await press(page, 'million', 'Dig here')
     const dug = /reached [1-9] cells; .* of a million cells\. \d+ segments? removed, [1-9]\d* added/
     assert.match(await says(page, 'million'), dug)

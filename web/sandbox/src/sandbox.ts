@@ -46,6 +46,7 @@ export async function openSandbox(isNew: boolean): Promise<Sandbox> {
     welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
   }
   loop.start()
+  viewer.focus()
   return {
     pause: () => (loop.running = false),
     goOn: () => (loop.running = true),
