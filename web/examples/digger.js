@@ -8,7 +8,7 @@ import { Ground } from 'localgridseg/planck'
 const bedrock = 2, top = 23 // its upper row
 export const colours = { 1: '#b5835a', [bedrock]: '#57434a', 3: '#3fb8ac', 4: '#d95d4a', 5: '#f0b63c', 6: '#8f8894' }
 const options = { anchors: { blocks: [bedrock] }, land, undoSteps: 2000 }
-const springy = { material: (block) => ({ restitution: block === 4 ? 0.85 : 0 }) } // mushrooms
+const terrain = { cellSize: 0.5, material: (block) => ({ restitution: block === 4 ? 0.85 : 0 }) } // mushrooms
 const fingers = new Map()
 const walk = { a: -1, ArrowLeft: -1, d: 1, ArrowRight: 1 }
 const inSoil = ([x, y]) => [x, Math.max(1.7, Math.min(top - 0.7, y))] // so that bedrock stays
@@ -16,7 +16,7 @@ let held = '' // a key
 
 export async function digger(canvas, size = 24) { // pixels of a cell
   await init()
-  const ground = new Ground(new World({ x: 0, y: -10 }), options, { cellSize: 0.5, ...springy }, springy)
+  const ground = new Ground(new World({ x: 0, y: -10 }), options, terrain)
   const picture = new GroundPicture(ground, canvas, colours, { size, x: 2 })
   onkeydown = onkeyup = onblur = ({ type, key }) => { held = type === 'keydown' ? key : '' }
   onpointerup = onpointercancel = ({ pointerId }) => fingers.delete(pointerId)

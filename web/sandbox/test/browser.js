@@ -50,7 +50,7 @@ export async function openBrowser() {
       await page.goto('about:blank')
       await page.goto(address + query + hash)
       await page.waitForSelector('[data-ready]')
-      await page.evaluate(() => window.sandbox.step(0))
+      await page.evaluate(() => window.sandbox.step?.(0))
       await test(page)
       assert.deepEqual(wrong, [])
     },

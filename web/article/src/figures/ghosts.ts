@@ -91,7 +91,7 @@ export default function ghosts(element: HTMLElement): void {
         const middle = (other.start[0] + other.end[0]) / 2
         parts.push(path('wrong', [other.start, other.end]), words('label askew', [middle, 1 - 24 * fig.pixel], 14 * fig.pixel, 'the end of this one'))
       }
-      const side = normal[0] < 0 ? -1 : 1, tip: Point = [x + normal[0] * 1.25, y + normal[1] * 1.25]
+      const askew = found.find(({ normal: [nx] }) => Math.abs(nx) > straight), side = Math.sign(askew?.normal[0] ?? -1) * (isAskew ? 1 : -1), tip: Point = [x + normal[0] * 1.25, y + normal[1] * 1.25]
       parts.push(arrow(kind, [x, y], tip, 12 * fig.pixel, 0, 0.95))
       const word = words(`label ${isAskew ? 'askew' : 'ghostword'}`, [tip[0] + side * 9 * fig.pixel, tip[1] + (isAskew ? -3 : 3) * fig.pixel], 14 * fig.pixel, isAskew ? 'pushes back' : 'pushes up')
       word.setAttribute('text-anchor', side < 0 ? 'end' : 'start')

@@ -23,7 +23,7 @@ const pause = 70 // frames at the end
 const floors = [3.3, 0.95] // where the floors are drawn
 const thick = 0.34
 const lead = 0.2 // seconds before the first kick, where it begins for whoever has just come
-const letter = 0.53 // of its size: how wide it is
+const letter = 0.6 // of its size: how wide it is
 
 interface Kick {
   readonly time: number
@@ -97,7 +97,7 @@ export default function seams(element: HTMLElement): void {
     fig.redraw()
   })
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) time = rough.kicks[0].time + 0.7 * around
-  else time = rough.kicks[0].time - lead
+  else time = Math.max(0, rough.kicks[0].time - lead)
   handle.at = ofHandle()
   // Below a floor, as far as there is room to the sides.
   const below = (kind: string, x: number, floor: number, text: string) => {
@@ -116,8 +116,8 @@ export default function seams(element: HTMLElement): void {
     const place = rolls.map((each, n): Point => [at(each, time)[0], at(each, time)[1] + floors[n]])
     rolls.forEach((each, n) => {
       const kind = n === 0 ? 'rough' : 'smooth', [x, y] = place[n], floor = floors[n]
-      parts.push(words(`label title ${kind}`, [0.05, floor + 1.62], 15 * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
-      parts.at(-1)!.setAttribute('text-anchor', 'start')
+      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + 1.62], 15 * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
+      parts.at(-1)!.setAttribute('text-anchor', 'end')
       const trail = each.points.slice(0, Math.floor(time / step) + 1).map(([px, py]): Point => [px, py + floor])
       parts.push(path(`way ${kind}`, [...trail, [x, y]]))
       for (const kick of each.kicks) {
@@ -132,7 +132,7 @@ export default function seams(element: HTMLElement): void {
         const under = Math.floor(x)
         parts.push(path('whisker', [[under - 1, floor], [under + 2, floor]]), path('chosen', [[under, floor], [under + 1, floor]]))
         for (const ghost of [under - 1, under + 2]) if (ghost >= 0 && ghost <= tiles) parts.push(disc('ghostpoint', [ghost, floor], 6 * pixel))
-        parts.push(below('ghostword', Math.min(under + 2, tiles), floor, '○ ghost vertex: the floor goes on here'))
+        parts.push(below('ghostword', Math.min(under + 2, tiles), floor, '○ ghost vertex: the floor goes on'))
       }
       parts.push(disc(`rider ${kind}`, [x, y], radius))
       const angle = -x / radius

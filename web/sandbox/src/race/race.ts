@@ -124,6 +124,6 @@ export class Race {
   /** What the speeds show, when it is over. */
   get ending(): string {
     const [smooth, rough] = this.lanes.map(({ moments }) => moments.findLast(({ x }) => x <= finish)!.vx.toFixed(1))
-    return `With ghosts ${smooth} to the end; without ${rough} are left.`
+    return `With ghosts it keeps ${smooth}; without, each kick costs speed, and ${rough} is left.`
   }
 }
