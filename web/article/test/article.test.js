@@ -184,16 +184,16 @@ test('a drag digs in a million cells, and specks fly', () =>
     const { x, y, width, height } = await page.locator('#million svg').boundingBox()
     const rock = () => page.locator('#million .ground').evaluateAll((all) => all.map((each) => each.getAttribute('d')).join())
     const seen = [await rock()]
-    await page.mouse.move(x + 0.4 * width, y + 0.8 * height)
+    await page.mouse.move(x + 0.06 * width, y + 0.88 * height)
     await page.mouse.down()
     for (const k of [1, 2, 3]) {
-      await page.mouse.move(x + (0.4 + 0.08 * k) * width, y + 0.8 * height)
+      await page.mouse.move(x + (0.06 + 0.06 * k) * width, y + 0.88 * height)
       seen.push(await rock())
     }
     assert.equal(new Set(seen).size, 4, 'each move digs')
     assert.ok((await page.locator('#million .speck').count()) > 0)
     await page.mouse.up()
-    await page.mouse.move(x + 0.9 * width, y + 0.8 * height)
+    await page.mouse.move(x + 0.4 * width, y + 0.88 * height)
     assert.equal(await rock(), seen[3])
   }, 'article/'))
 

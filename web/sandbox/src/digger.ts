@@ -84,7 +84,8 @@ export class Digger {
   #fit(): void {
     const { clientHeight } = this.#canvas, picture = this.picture!
     if (clientHeight === 0) return
-    const [above, below] = ['dig-top', 'dig-buttons'].map((id) => element(id).offsetHeight + 10)
+    const buttons = element('dig-buttons'), above = element('dig-top').offsetHeight + 10
+    const below = buttons.offsetTop > clientHeight / 2 ? buttons.offsetHeight + 10 : 4
     picture.size = Math.max(6, (clientHeight - above - below) / high)
     picture.y = -below / picture.size
   }
@@ -204,6 +205,7 @@ export class Digger {
     this.#isPlacing = isPlacing
     this.#section.classList.toggle('places', isPlacing)
     this.goal!.ask(isPlacing ? 'Tap where the boulder falls.' : null)
+    if (isPlacing) this.#canvas.focus({ preventScroll: true }) // so that keys choose the place
     if (!isPlacing) this.#hand.hidden = this.#cursor === null
     else if (this.#cursor === null) this.#show(this.#canvas.clientWidth / 2, this.#canvas.clientHeight / 2)
   }

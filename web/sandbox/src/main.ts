@@ -14,11 +14,17 @@ async function openSandbox(): Promise<void> {
   sandbox = await (await import('./sandbox.js')).openSandbox(!isKnown())
   Object.assign(window, { sandbox: { ...sandbox.handles, race, digger } })
 }
+/** From the digger; keys go to the ground then. */
+async function goOn(): Promise<void> {
+  await digger!.leave()
+  await openSandbox()
+  document.querySelector<HTMLElement>('#pane-0 canvas')!.focus({ preventScroll: true })
+}
 const race = new RaceStage(() => sandbox?.pause(), () => sandbox?.goOn())
 Object.assign(window, { sandbox: { race, digger } }) // for tests and for the curious
 addEventListener('hashchange', () => {
   if (isOfDigger()) sandbox !== null && location.hash !== '#race' && location.reload() // it is what was kept
-  else if (sandbox === null) void digger!.leave().then(openSandbox)
+  else if (sandbox === null) void goOn()
 })
 if (digger === null) await openSandbox()
 else await digger.open()

@@ -46,7 +46,6 @@ export async function openSandbox(isNew: boolean): Promise<Sandbox> {
     welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
   }
   loop.start()
-  viewer.focus()
   return {
     pause: () => (loop.running = false),
     goOn: () => (loop.running = true),

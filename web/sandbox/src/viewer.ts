@@ -39,11 +39,6 @@ export class Viewer {
     this.showSides()
   }
 
-  /** So that keys go there. */
-  focus(): void {
-    this.#panes[0].canvas.focus({ preventScroll: true })
-  }
-
   /** After the number of sides, or their ghosts, have changed. */
   showSides(): void {
     this.#panes.forEach((pane, k) => {

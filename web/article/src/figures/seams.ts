@@ -20,7 +20,9 @@ const step = 1 / 60
 const around = 0.06 // seconds before and after a kick that are shown slowly
 const pace = 0.42, slow = 0.05 // of time
 const pause = 70 // frames at the end
-const floors = [3.3, 0.95] // where the floors are drawn
+const floors = [3.6, 0.95] // where the floors are drawn
+const titles = [1.85, 1.6] // above them
+const font = innerWidth < 560 ? 12.5 : 14 // pixels
 const thick = 0.34
 const lead = 0.2 // seconds before the first kick, where it begins for whoever has just come
 const letter = 0.6 // of its size: how wide it is
@@ -59,7 +61,7 @@ function roll(speed: number, ghosts: boolean): Roll {
 }
 
 export default function seams(element: HTMLElement): void {
-  const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: 5.2 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
+  const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: 5.8 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
   let rough = roll(first, false), smooth = roll(first, true)
   const end = () => (rough.points.length - 1) * step
   const at = ({ points }: Roll, t: number): Point => {
@@ -101,7 +103,7 @@ export default function seams(element: HTMLElement): void {
   handle.at = ofHandle()
   // Below a floor, as far as there is room to the sides.
   const below = (kind: string, x: number, floor: number, text: string) => {
-    const size = 14 * fig.pixel, half = (letter * size * text.length) / 2
+    const size = font * fig.pixel, half = (letter * size * text.length) / 2
     return words(`label ${kind}`, [clamp(x, half, tiles - half), floor - thick - 1.3 * size], size, text)
   }
   fig.draws(() => {
@@ -116,7 +118,7 @@ export default function seams(element: HTMLElement): void {
     const place = rolls.map((each, n): Point => [at(each, time)[0], at(each, time)[1] + floors[n]])
     rolls.forEach((each, n) => {
       const kind = n === 0 ? 'rough' : 'smooth', [x, y] = place[n], floor = floors[n]
-      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + 1.62], 15 * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
+      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + titles[n]], (font + 1) * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
       parts.at(-1)!.setAttribute('text-anchor', 'end')
       const trail = each.points.slice(0, Math.floor(time / step) + 1).map(([px, py]): Point => [px, py + floor])
       parts.push(path(`way ${kind}`, [...trail, [x, y]]))
