@@ -8,6 +8,7 @@ import { Ground } from 'localgridseg/planck'
 const bedrock = 2, top = 23 // its upper row
 export const colours = { 1: '#b5835a', [bedrock]: '#57434a', 3: '#3fb8ac', 4: '#d95d4a', 5: '#f0b63c', 6: '#8f8894' }
 const options = { anchors: { blocks: [bedrock] }, land, undoSteps: 2000 }
+const terrain = { cellSize: 0.5, material: (block) => ({ restitution: block === 4 ? 0.85 : 0 }) } // mushrooms
 const fingers = new Map()
 const walk = { a: -1, ArrowLeft: -1, d: 1, ArrowRight: 1 }
 const inSoil = ([x, y]) => [x, Math.max(1.7, Math.min(top - 0.7, y))] // so that bedrock stays
@@ -15,7 +16,7 @@ let held = '' // a key
 
 export async function digger(canvas, size = 24) { // pixels of a cell
   await init()
-  const ground = new Ground(new World({ x: 0, y: -10 }), options, { cellSize: 0.5 })
+  const ground = new Ground(new World({ x: 0, y: -10 }), options, terrain)
   const picture = new GroundPicture(ground, canvas, colours, { size, x: 2 })
   onkeydown = onkeyup = onblur = ({ type, key }) => { held = type === 'keydown' ? key : '' }
   onpointerup = onpointercancel = ({ pointerId }) => fingers.delete(pointerId)
@@ -36,7 +37,7 @@ export async function digger(canvas, size = 24) { // pixels of a cell
   return { ground, picture }
 }
 
-function land(world, { i0, j0 }) { // 32 x 32 cells, when one comes near; two of them are a cavern
+export function land(world, { i0, j0 }) { // 32 x 32 cells, when one comes near; two of them are a cavern
   if (j0 !== 0) return
   const square = world.shape(unitSquare), number = i0 / 32
   const rows = (j0, j1, block) => world.fill({ i0, j0, i1: i0 + 31, j1 }, square, block)
@@ -53,7 +54,7 @@ function land(world, { i0, j0 }) { // 32 x 32 cells, when one comes near; two of
   const side = number % 2 ? 32 : 0, inward = side ? -1 : 1 // a wall between two caverns
   put([side, 3, side + 3 * inward, 3, side + 1.6 * inward, 11, side + 3.4 * inward, 20, side, 20], 0, 0, 1)
   for (const [what, x, y, thick] of things[((number % things.length) + things.length) % things.length]) {
-    for (const [dx, y] of [[2.4, 2.4], [-2, 21]]) put(gem, x + dx, y + 0.4 * Math.sin(5 * x), 5)
+    for (const [dx, y] of [[2.4, 2.4], [-2, 20.6]]) put(gem, x + dx, y + 0.4 * Math.sin(5 * x), 5)
     const stem = (...points) => world.paint(thickLine(points.map((v, n) => v + (n % 2 ? 0 : i0)), thick), 1)
     what(stem, put, x, y)
   }
@@ -65,8 +66,8 @@ const buried = (stem, put, x, y) => put(crystal, x, y, 3)
 const mushroom = (stem, put, x, y) => { stem(x, 3, x, y); put(cap, x, y, 4) }
 const boulder = (stem, put, x, y) => { stem(x, y, x, 20); put(stone, x, y, 6) }
 const things = [ // of each chunk in turn: what it is, x, y, and half the thickness of its stem
-  [[hanging, 7, 12, 0.4], [mushroom, 11.8, 9.5, 0.4], [hanging, 16.6, 8, 0.3], [mushroom, 21.7, 11, 0.4], [standing, 26.5, 9.5, 0.6]],
-  [[mushroom, 4, 8.5, 0.5], [hanging, 10, 12, 1.2], [boulder, 17.5, 12, 0.4], [buried, 25, 19]],
+  [[hanging, 7, 12, 0.4], [mushroom, 15, 8, 0.5], [hanging, 14, 13.5, 0.4], [roped, 26, 10.5, 0.4]],
+  [[mushroom, 3, 10, 0.5], [hanging, 9, 6.6, 0.3], [boulder, 18.5, 13, 0.4], [standing, 18.9, 5.8, 1]],
   [[boulder, 8, 13, 0.4], [standing, 8.4, 5.8, 1], [mushroom, 15.5, 10, 0.4], [buried, 23, 2.2], [hanging, 27, 9, 0.3]],
   [[standing, 6, 11, 0.5], [boulder, 14, 12.5, 0.4], [buried, 14.3, 2.6], [mushroom, 21, 9, 0.4], [mushroom, 26, 11, 0.5]],
   [[roped, 10, 10, 0.5], [boulder, 19, 12, 0.5], [standing, 19.3, 6, 1.3], [standing, 26.5, 12, 0.4]],
@@ -74,5 +75,5 @@ const things = [ // of each chunk in turn: what it is, x, y, and half the thickn
 const cap = [-2.3, 0, 2.3, 0, 1.8, 1.1, 0.7, 1.7, -0.7, 1.7, -1.8, 1.1]
 const crystal = [-1.9, 1.2, -0.7, -0.9, 0.3, -1.1, 1.9, 1.6, 1, 2.8, -1.1, 2.8]
 const spire = [-1.6, 0, 1.2, 0, 1.9, 1.3, 0.4, 3.4, -0.5, 3.1, -1.9, 1.6]
-const stone = [-1.4, -2, 1, -2.2, 2.3, -0.6, 1.9, 1.4, 0.3, 2.3, -1.7, 1.8, -2.4, -0.2]
+export const stone = [-1.4, -2, 1, -2.2, 2.3, -0.6, 1.9, 1.4, 0.3, 2.3, -1.7, 1.8, -2.4, -0.2]
 const gem = [-0.5, 0, 0, -0.7, 0.5, 0, 0, 0.7]

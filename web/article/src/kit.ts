@@ -18,6 +18,8 @@ export interface HandleOptions {
   move(x: number, y: number): Point
   /** The pointer has let go of it, or the key has moved it. */
   drop?(): void
+  /** The pointer drags it, after each move; whether that is the first one. */
+  drag?(x: number, y: number, isFirst: boolean): void
   /** It was pressed without being dragged, here, or Enter was. */
   tap?(x: number, y: number): void
 }
@@ -119,9 +121,13 @@ export class Figure {
     })
     element.addEventListener('pointermove', (event) => {
       if (off === null) return
+      const isFirst = isTap
       if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) >= still) isTap = false
-      const [x, y] = this.#place(event)
-      move(x + off[0], y + off[1])
+      const [x, y] = this.#place(event), to: Point = [x + off[0], y + off[1]]
+      if (options.drag === undefined) return move(...to)
+      if (isTap) return
+      options.drag(...to, isFirst)
+      this.redraw()
     })
     for (const end of ['pointerup', 'pointercancel'] as const) {
       element.addEventListener(end, (event) => {
@@ -147,11 +153,18 @@ export class Figure {
     return handle
   }
 
-  /** A click or a tap on the stage, beside the handles. */
-  onTap(action: (x: number, y: number) => void): void {
-    this.svg.classList.add('tappable')
-    this.svg.addEventListener('click', (event) => {
-      if ((event.target as Element).closest('.handle') === null) action(...this.#place(event))
+  /** A pointer goes down on the stage, beside the handles, and drags on; whether it has just gone down. */
+  onDrag(action: (x: number, y: number, isFirst: boolean) => void): void {
+    const { svg } = this
+    svg.classList.add('tappable')
+    svg.addEventListener('pointerdown', (event) => {
+      if ((event.target as Element).closest('.handle') !== null) return
+      svg.setPointerCapture(event.pointerId)
+      this.#element.classList.remove('untouched')
+      action(...this.#place(event), true)
+    })
+    svg.addEventListener('pointermove', (event) => {
+      if (svg.hasPointerCapture(event.pointerId)) action(...this.#place(event), false)
     })
   }
 

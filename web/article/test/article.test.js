@@ -38,7 +38,7 @@ test('each of the ten figures answers to the mouse and to the arrow keys', () =>
     assert.deepEqual(await page.locator('figure[data-ready]').evaluateAll((all) => all.map(({ id }) => id)), names)
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320)
     await page.locator('#million').scrollIntoViewIfNeeded()
-    await saysSoon(page, 'million', /Tap somewhere/)
+    await saysSoon(page, 'million', /Drag to dig/)
     const ways = { seams: [3, 0], cuts: [0, 0.3], cancel: [-1, 0], cells: [1, 0], fan: [0.2, 0.3], touch: [1, 0] }
     for (const name of names) {
       const state = () => page.locator(`#${name}`).evaluate((figure) => figure.querySelector('svg').innerHTML)
@@ -56,6 +56,8 @@ test('without ghosts the ball is thrown into the air, twice, and loses speed; wi
   browser.onPath(async (page) => {
     await saysSoon(page, 'seams', /^Without: 1 kick, .* With: 0 kicks, 8\.6/)
     assert.equal(await page.locator('#seams .push.wrong').count(), 1, 'an arrow shows the kick')
+    assert.match(await page.locator('#seams svg').textContent(), /hits the end of this edge.*ghost vertex: the floor goes on/)
+    assert.ok((await page.locator('#seams .seam').count()) > 8)
     await drag(page, 'seams', 12, 0)
     const [, kicks, slow] = /^Without: (\d) kicks, (\d\.\d) cells a second. With: 0 kicks, 8\.6\.$/.exec(await says(page, 'seams'))
     assert.ok(kicks >= 3 && slow < 6.5, `${kicks} kicks, ${slow}`)
@@ -63,6 +65,7 @@ test('without ghosts the ball is thrown into the air, twice, and loses speed; wi
     assert.ok(highest > 0.3, `${highest} cells`)
     await page.locator('#seams input').fill('3')
     assert.match(await says(page, 'seams'), /^Without: 0 kicks, 3\.0 .* With: 0 kicks, 3\.0/)
+    assert.equal(await page.locator('#seams .seam').count(), 0, 'nobody sees seams before the kick')
     await drag(page, 'seams', 12, 0)
     assert.match(await says(page, 'seams'), /^Without: [1-9] kicks, 2\.\d .* With: 0 kicks, 3\.0/)
     assert.ok((await page.locator('#seams .way.smooth').evaluate((way) => way.getBBox().height)) < 0.02)
@@ -77,8 +80,12 @@ test('at a seam the ball is pushed askew without ghosts; it rolls by itself, unt
     await handle(page, 'ghosts').focus()
     for (let k = 0; k < 60 && !/askew/.test(await says(page, 'ghosts')); ++k) await page.keyboard.press('ArrowLeft')
     assert.match(await says(page, 'ghosts'), /pushes 2 times, 1 of them askew/)
+    const words = () => page.locator('#ghosts svg').textContent()
+    assert.match(await words(), /its edge.*pushes (up|back).*the end of this one|the end of this one.*pushes back/)
     await page.locator('#ghosts input').check()
     assert.match(await says(page, 'ghosts'), /pushes 1 time, straight up/)
+    assert.match(await words(), /ghost vertexghost vertex.*pushes up/)
+    assert.doesNotMatch(await words(), /back/)
     assert.equal(await page.locator('#ghosts button').textContent(), 'Play')
   }, 'article/'))
 
@@ -148,7 +155,7 @@ test('law 2: the hand stops at the successor and at the predecessor, and a walk 
 test('a dig in a million cells, and a vertex under the lens', () =>
   browser.onPath(async (page) => {
     await page.locator('#million').scrollIntoViewIfNeeded()
-    await saysSoon(page, 'million', /Tap somewhere/)
+    await saysSoon(page, 'million', /Drag to dig/)
     await press(page, 'million', 'Dig here')
     const dug = /reached [1-9] cells; .* of a million cells\. \d+ segments? removed, [1-9]\d* added/
     assert.match(await says(page, 'million'), dug)
@@ -169,6 +176,26 @@ test('a dig in a million cells, and a vertex under the lens', () =>
       assert.ok((await off()) <= 1)
     }
   }, 'article/', { context: { reducedMotion: 'reduce' } }))
+
+test('a drag digs in a million cells, and specks fly', () =>
+  browser.onPath(async (page) => {
+    await page.locator('#million svg').scrollIntoViewIfNeeded()
+    await saysSoon(page, 'million', /Drag to dig/)
+    const { x, y, width, height } = await page.locator('#million svg').boundingBox()
+    const rock = () => page.locator('#million .ground').evaluateAll((all) => all.map((each) => each.getAttribute('d')).join())
+    const seen = [await rock()]
+    await page.mouse.move(x + 0.06 * width, y + 0.88 * height)
+    await page.mouse.down()
+    for (const k of [1, 2, 3]) {
+      await page.mouse.move(x + (0.06 + 0.06 * k) * width, y + 0.88 * height)
+      seen.push(await rock())
+    }
+    assert.equal(new Set(seen).size, 4, 'each move digs')
+    assert.ok((await page.locator('#million .speck').count()) > 0)
+    await page.mouse.up()
+    await page.mouse.move(x + 0.4 * width, y + 0.88 * height)
+    assert.equal(await rock(), seen[3])
+  }, 'article/'))
 
 test('the engine agrees with the reference; with a planted bug it does not, and what fails is made small', () =>
   browser.onPath(async (page) => {

@@ -1,82 +1,137 @@
-// What one sees first: the digger of examples/digger.js, what there is to win in it (goal.ts), its source beside it, and two
-// wheels that race below. A hand digs until somebody else does.
+// What one sees first, and whenever the page's address is opened: the digger of examples/digger.js, what there is to win in
+// it (goal.ts), its source beside it, and two wheels below. A hand shows how one digs until somebody does. What was done is
+// there again the next time.
 import type { GroundPicture } from 'localgridseg/draw'
 import type { Ground } from 'localgridseg/planck'
-import { digger } from '../../examples/digger.js'
+import { digger, land, stone } from '../../examples/digger.js'
+import { cavern as wide, cavernAt, type Winnings } from './crystals.js'
+import { type Counts, Deeds } from './deeds.js'
 import { element, onClick } from './dom.js'
-import { cavernAt } from './crystals.js'
 import { Goal } from './goal.js'
-import { Race } from './race/race.js'
-import { drawLanes } from './race/view.js'
-import { copied, holdsGround } from './share.js'
-import { stepTime } from './side.js'
+import { keepDigger, keptDigger } from './keep.js'
+import { Strip } from './race/strip.js'
+import { copied, pack, unpack } from './share.js'
 import { wantsCalm } from './theme.js'
 
 const high = 24 // cells, of the land
 const before = 900 // milliseconds until the hand digs
 const cut = 500 // that it takes for a stem
-const pause = 1700 // between two stems
-const shown = 2 // things that it cuts; then it asks who looks on to cut the next
-const wait = 1500 // between two races
-const stems = [[7, 16.4], [11.8, 6.4], [16.6, 13.5]] // where the hand cuts: x, y in cells
+const pause = 1700 // until it asks who looks on to cut the next one
+const stems = [[7, 16.4], [14, 17.4]] // where the hand cuts, and where it asks: x, y in cells
 const isHeld = 350 // milliseconds: then going back runs on
-const quick = 9 // how fast one goes back: such a part of the way in a second, at first
-const margin = 0.2 // of the width: what is taken back is nearer to the middle
+const keepsEach = 1000 // milliseconds
+
+interface Kept extends Counts {
+  readonly ground: string // packed
+  readonly x: number
+  readonly winnings: Winnings
+}
 
 export class Digger {
-  static readonly address = '#digger'
   ground: Ground | null = null
   goal: Goal | null = null
-  size = 0 // pixels of a cell
   picture: GroundPicture | null = null
+  #deeds: Deeds | null = null
   readonly #section = element('digger')
+  readonly #view = element('dig-pane')
   readonly #canvas = element<HTMLCanvasElement>('dig')
   readonly #hand = element('dig-hand')
-  readonly #strip = element('dig-race').querySelector('canvas')!
   #isShowing = !wantsCalm() // the hand digs
+  #isOwn = false // somebody was here, and not only the hand
+  #kept = '' // what of it is kept
   #cursor: [number, number] | null = null // of the keyboard, in pixels
-  #at = 0 // where the last stroke was made, as x
-  readonly #places: number[] = [] // of all strokes that can be taken back
-  readonly #begun: number[] = [] // how many there were when each dig began
-  #to: number | null = null // so many strokes stay: it goes back
-  #wentBack = -Infinity // when
+  #isPlacing = false // a boulder
   #holding = 0 // a timer
 
-  /** `onLeave`: for all tools. The digger is gone then. */
-  async open(onLeave: () => Promise<void>): Promise<void> {
-    const leave = async () => {
-      if (location.hash === Digger.address) history.replaceState(null, '', location.pathname + location.search)
-      this.#section.remove()
-      document.documentElement.classList.remove('first')
-      await onLeave()
-    }
-    this.size = this.#canvas.clientHeight / high
-    const { ground, picture } = await digger(this.#canvas, this.size)
+  get size(): number {
+    return this.picture!.size
+  }
+
+  async open(): Promise<void> {
+    const kept = readKept(), bytes = kept === null ? null : await unpack(kept.ground).catch(() => null)
+    const { ground, picture } = await digger(this.#canvas)
     this.ground = ground
-    onClick('dig-more', () => void leave())
-    addEventListener('hashchange', () => { if (this.#section.isConnected && holdsGround(location.hash)) void leave() })
-    this.#count(ground)
     this.picture = picture
-    const digsIn = (cavern: number) => this.#begun.filter((k) => k < this.#places.length && cavernAt(this.#places[k]) === cavern).length
-    const strokes = () => this.#places.length, digs = () => this.#begun.length, goesBack = () => this.#goesBack
-    const deeds = { get strokes() { return strokes() }, get digs() { return digs() }, get goesBack() { return goesBack() }, digsIn }
+    const deeds = (this.#deeds = new Deeds(ground, picture, this.#canvas))
     this.goal = new Goal(this.#canvas, ground, picture, deeds)
+    this.#fit()
+    const cells = this.#canvas.clientWidth / this.size
+    picture.x = cells > wide - 6 ? (wide - cells) / 2 : 2 // all of the first cavern, where there is room
+    if (kept !== null && bytes !== null) this.#restore(bytes, kept)
+    new ResizeObserver(() => this.#fit()).observe(this.#canvas)
     this.#listen()
-    requestAnimationFrame((now) => this.#goBack(now))
+    onClick('dig-more', () => { location.hash = '#tools' })
+    requestAnimationFrame((now) => this.#frame(now))
     requestAnimationFrame((now) => this.#dig(now, now))
-    requestAnimationFrame(() => requestAnimationFrame((now) => this.#race(now))) // once the ground is seen
+    requestAnimationFrame(() => requestAnimationFrame(() => { // once the ground is seen
+      const strip = new Strip()
+      this.goal!.onWin = (count) => { strip.load = count }
+    }))
+    setInterval(() => void this.#keep(), keepsEach)
     const source = await (await fetch('digger.js')).text()
     element('dig-code').querySelector('code')!.textContent = source
     onClick('dig-copy', () => void copied(source))
   }
 
+  /** For all tools. */
+  async leave(): Promise<void> {
+    await this.#keep()
+    this.#section.remove()
+    document.documentElement.classList.remove('first')
+  }
+
+  /** The land fills what is left between the bars; behind these is rock. */
+  #fit(): void {
+    const { clientHeight } = this.#canvas, picture = this.picture!
+    if (clientHeight === 0) return
+    const buttons = element('dig-buttons'), above = element('dig-top').offsetHeight + 10
+    const below = buttons.offsetTop > clientHeight / 2 ? buttons.offsetHeight + 10 : 4
+    picture.size = Math.max(6, (clientHeight - above - below) / high)
+    picture.y = -below / picture.size
+  }
+
+  // --- What is kept
+
+  #restore(bytes: Uint8Array, { x, winnings, ...counts }: Kept): void {
+    try {
+      this.ground!.load(bytes)
+    } catch {
+      return // of another version
+    }
+    this.picture!.x = x
+    this.#deeds!.counts = counts
+    this.goal!.restore(winnings)
+    this.#isShowing = false
+    this.#isOwn = true
+  }
+
+  async #keep(): Promise<void> {
+    const { ground, picture, goal } = this
+    if (!this.#isOwn || !this.#section.isConnected || this.#deeds!.goesBack) return
+    const { counts } = this.#deeds!, { winnings } = goal!.crystals, { x } = picture!
+    const seen = JSON.stringify([this.#deeds!.strokes, ground!.rocks().length, counts, winnings, Math.round(x)])
+    if (seen === this.#kept) return
+    this.#kept = seen
+    keepDigger(JSON.stringify({ ground: await pack(ground!.save()), x, winnings, ...counts } satisfies Kept))
+  }
+
+  // --- Pointer and keys
+
   #listen(): void {
-    for (const event of ['pointerdown', 'keydown']) addEventListener(event, ({ isTrusted }) => { if (isTrusted) this.#isShowing = false }, { capture: true })
+    for (const event of ['pointerdown', 'keydown']) addEventListener(event, ({ isTrusted }) => {
+      if (!isTrusted) return
+      if (this.#isShowing) this.#touch('pointerup', 0, 0) // the hand lets go
+      this.#isShowing = false
+      this.#isOwn = true
+    }, { capture: true })
     this.#onHold('dig-back', () => this.#press(), () => this.#release())
     for (const [id, key] of [['dig-left', 'a'], ['dig-right', 'd']]) this.#onHold(id, () => say('keydown', key), () => say('keyup', key))
+    onClick('dig-again', () => this.#again())
+    onClick('dig-boulder', () => this.#place(!this.#isPlacing))
     // A tap takes one dig back; digger.js, which goes on for as long as the key is down, hears of it later.
     const isBack = ({ key, isTrusted }: KeyboardEvent) => isTrusted && key.toLowerCase() === 'z' && this.#section.isConnected
     addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') this.#place(false)
       if (!isBack(event)) return
       event.stopImmediatePropagation()
       if (!event.repeat) this.#press()
@@ -84,13 +139,7 @@ export class Digger {
     addEventListener('keyup', (event) => { if (isBack(event)) this.#release() }, { capture: true })
     addEventListener('blur', () => this.#release())
     for (const type of ['pointerdown', 'pointermove'] as const)
-      this.#canvas.addEventListener(type, (event) => { this.#at = this.picture!.at(event)[0] }, { capture: true })
-    this.#canvas.addEventListener('pointerdown', ({ isTrusted }) => { if (isTrusted) this.#begin() }, { capture: true })
-    this.#canvas.addEventListener('pointermove', ({ isTrusted }) => {
-      if (!isTrusted || this.#cursor === null) return
-      this.#cursor = null // whoever points needs no cursor
-      this.#hand.hidden = true
-    })
+      this.#view.addEventListener(type, (event) => { if (event.target === this.#canvas) this.#onPointer(event) }, { capture: true })
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
     document.addEventListener('keydown', (event) => {
       if (!this.#section.isConnected || (event.target !== this.#canvas && event.target !== document.body)) return
@@ -102,9 +151,26 @@ export class Digger {
       this.#cursor = by === undefined ? [x, y] : [x + by[0] * step, y + by[1] * step]
       this.#show(...this.#cursor)
       if (by !== undefined) return
-      this.#begin()
-      this.#touch(...this.#cursor)
+      this.#touch('pointerdown', ...this.#cursor)
+      this.#touch('pointerup', ...this.#cursor)
     })
+  }
+
+  #onPointer(event: PointerEvent): void {
+    const at = this.picture!.at(event), deeds = this.#deeds!
+    deeds.at = at[0]
+    if (event.isTrusted && this.#isPlacing) this.#show(event.offsetX, event.offsetY)
+    else if (event.isTrusted && event.type === 'pointermove' && this.#cursor !== null) {
+      this.#cursor = null // whoever points needs no cursor
+      this.#hand.hidden = true
+    }
+    if (this.#isPlacing) {
+      event.stopPropagation() // nothing is dug
+      if (event.type === 'pointerdown') this.#drop(at)
+      return
+    }
+    if (event.type === 'pointerdown') deeds.begin()
+    if (event.buttons !== 0 && deeds.begun > 0) deeds.strike(at)
   }
 
   #onHold(id: string, begin: () => void, end: () => void): void {
@@ -115,46 +181,9 @@ export class Digger {
     button.addEventListener('keyup', (event) => { if (isUse(event)) end() })
   }
 
-  // A dig has a stroke for each move of the pointer. One goes back where it is seen: until then the picture moves.
-  #count(ground: Ground): void {
-    const edit = ground.edit.bind(ground), undo = ground.undo.bind(ground)
-    ground.edit = (edits) => {
-      const result = edit(edits)
-      this.#places.push(this.#at)
-      return result
-    }
-    ground.undo = () => {
-      if (!ground.canUndo) return false
-      const isSeen = this.#isSeen(this.#places.at(-1)!)
-      this.#wentBack = performance.now()
-      if (!isSeen) return false
-      this.#places.pop()
-      return undo()
-    }
-  }
-
-  get #goesBack(): boolean {
-    return this.#to !== null || performance.now() - this.#wentBack < 150
-  }
-
-  /** A part of the way, if it is not. */
-  #isSeen(at: number): boolean {
-    const picture = this.picture!, wide = this.#canvas.clientWidth / picture.size
-    const part = 1 - Math.exp((-quick * Math.min(50, performance.now() - this.#wentBack)) / 1000)
-    const off = Math.max(0, picture.x + margin * wide - at) - Math.max(0, at - picture.x - (1 - margin) * wide)
-    if (Math.abs(off) < 0.5) return true
-    picture.x -= wantsCalm() ? off : Math.sign(off) * Math.min(Math.abs(off), part * (2 + Math.abs(off)))
-    return false
-  }
-
-  #begin(): void {
-    this.#to = null
-    this.#begun.push(this.#places.length)
-  }
-
   #press(): void {
     this.#release()
-    this.#rewind()
+    this.#deeds!.rewind()
     this.#holding = window.setTimeout(() => say('keydown', 'z'), isHeld)
   }
 
@@ -163,93 +192,99 @@ export class Digger {
     say('keyup', 'z')
   }
 
-  /** To before the last dig. */
-  #rewind(): void {
-    while (this.#begun.length > 0) {
-      const strokes = this.#begun.pop()!
-      if (strokes >= this.#places.length) continue // it is taken back already
-      this.#to = Math.min(strokes, this.#to ?? strokes)
-      return
-    }
+  #frame(now: number, last = now): void {
+    if (!this.#section.isConnected) return
+    this.#deeds!.step((now - last) / 1000)
+    this.#section.classList.toggle('rewinds', this.#deeds!.goesBack)
+    requestAnimationFrame((next) => this.#frame(next, now))
   }
 
-  #goBack(now = 0, last = now): void {
-    if (!this.#section.isConnected) return
-    if (this.#to !== null) {
-      let left = Math.ceil((this.#places.length - this.#to) * Math.min(1, (quick * (now - last)) / 1000))
-      for (; left > 0; --left) if (!this.ground!.undo()) break
-      if (this.#places.length <= this.#to || !this.ground!.canUndo) this.#to = null
-    }
-    this.#section.classList.toggle('rewinds', this.#goesBack)
-    requestAnimationFrame((next) => this.#goBack(next, now))
+  // --- What gold buys, and another try
+
+  #place(isPlacing: boolean): void {
+    this.#isPlacing = isPlacing
+    this.#section.classList.toggle('places', isPlacing)
+    this.goal!.ask(isPlacing ? 'Tap where the boulder falls.' : null)
+    if (isPlacing) this.#canvas.focus({ preventScroll: true }) // so that keys choose the place
+    if (!isPlacing) this.#hand.hidden = this.#cursor === null
+    else if (this.#cursor === null) this.#show(this.#canvas.clientWidth / 2, this.#canvas.clientHeight / 2)
   }
+
+  /** A boulder, where there is room for it. */
+  #drop([x, y]: readonly [number, number]): void {
+    const ground = this.ground!, ring = stone.map((v, n) => v + (n % 2 === 0 ? x : y))
+    const isFree = [0.4, 1.1].every((part) => stone.every((_, n) =>
+      n % 2 === 1 || ground.world.at(x + part * stone[n], y + part * stone[n + 1]).where === 'outside'))
+    if (!isFree || y < 3 || y > high - 3) return this.goal!.say([x, y], 'no room')
+    this.#deeds!.begin()
+    ground.edit((world) => world.paint({ rings: [ring] }, 6))
+    this.goal!.pay(this.#deeds!.strokes)
+    this.#place(false)
+  }
+
+  /** The cavern that is counted begins anew. */
+  #again(): void {
+    const ground = this.ground!, cavern = this.goal!.here, i0 = wide * cavern, cells = { i0, j0: 0, i1: i0 + wide - 1, j1: 31 }
+    for (let k = 0; k < 100 && !ground.window(cells); ++k);
+    for (const { body, x } of ground.rocks()) {
+      if (body === null || cavernAt(x) !== cavern) continue
+      ground.forget(body)
+      body.getWorld().destroyBody(body)
+    }
+    ground.edit((world) => {
+      world.removeMany(world.polygons(cells).map(({ id }) => id))
+      for (const at of [i0, i0 + wide / 2]) land(world, { i0: at, j0: 0 })
+    })
+    this.#deeds!.renew(cavern)
+    this.goal!.renew()
+  }
+
+  // --- The hand
 
   #show(x: number, y: number): void {
     this.#hand.hidden = false
     Object.assign(this.#hand.style, { left: `${x}px`, top: `${y}px` })
   }
 
-  /** As a finger would, and up again. */
-  #touch(...points: number[]): void {
-    const { left, top } = this.#canvas.getBoundingClientRect()
-    for (let k = 0; k < points.length; k += 2) {
-      const at = { pointerId: -1, buttons: 1, clientX: left + points[k], clientY: top + points[k + 1] }
-      this.#canvas.dispatchEvent(new PointerEvent(k === 0 ? 'pointerdown' : 'pointermove', at))
-    }
-    window.dispatchEvent(new PointerEvent('pointerup', { pointerId: -1 }))
+  /** As a finger would. */
+  #touch(type: 'pointerdown' | 'pointermove' | 'pointerup', x: number, y: number): void {
+    const { left, top } = this.#canvas.getBoundingClientRect(), at = { pointerId: -1, buttons: 1, clientX: left + x, clientY: top + y }
+    const to = type === 'pointerup' ? window : this.#canvas
+    to.dispatchEvent(new PointerEvent(type, at))
   }
 
-  /** What a crystal hangs on, later the stem of a mushroom; and then it waits at the next one. */
-  #dig(begun: number, now: number, k = 0, last: [number, number] | null = null): void {
+  /** What the first crystal hangs on; and then it waits at the next one. */
+  #dig(begun: number, now: number, k = 0, isDown = false): void {
     if (!this.#isShowing || !this.#section.isConnected) {
       this.#section.classList.remove('asks')
       this.#hand.hidden = this.#cursor === null
       return
     }
-    const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut
-    const [cx, cy] = stems[k], x = (cx - this.picture!.x) * this.size, y = clientHeight - cy * this.size
-    const after = (part: number): [number, number] => { // a stem at a slant, so that its cap slides off the stump
-      const way = this.size * 1.4 * (2 * part - 1)
-      return [x + way, k % 2 === 0 ? y : y + way]
-    }
-    const at = after(Math.max(0, Math.min(1, time)))
-    if (k === shown) { // whoever has a narrow screen must walk there
-      const isSeen = x > 0 && x < clientWidth - this.size
-      if (isSeen) this.#show(x + 1.4 * this.size * Math.sin(now / 300), y)
-      this.#hand.hidden = !isSeen
-      this.#section.classList.add('asks')
+    const { clientWidth, clientHeight } = this.#canvas, time = (now - begun - before) / cut, [cx, cy] = stems[k]
+    const x = (cx - this.picture!.x) * this.size, y = clientHeight - (cy - this.picture!.y) * this.size, half = 1.4 * this.size
+    if (k > 0) { // whoever has a narrow screen must walk there
+      const isSeen = x > 0 && x < clientWidth - this.size, isTime = time >= 0
+      if (isSeen && isTime) this.#show(x + half * Math.sin(now / 300), y)
+      this.#hand.hidden = !isSeen || !isTime
+      this.#section.classList.toggle('asks', isTime)
       requestAnimationFrame((later) => this.#dig(begun, later, k))
       return
     }
-    this.#show(...at)
-    if (time > 0 && last === null) this.#begin()
-    if (time > 0) this.#touch(...(last ?? after(0)), ...at)
-    const isCut = time >= 1, next = k + 1
-    if (isCut) this.#hand.hidden = true
-    requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? next : k, time > 0 && !isCut ? at : null))
+    const at = x + half * (2 * Math.max(0, Math.min(1, time)) - 1), isCut = time >= 1
+    this.#show(at, y)
+    if (time > 0 && !isDown) this.#touch('pointerdown', x - half, y)
+    if (time > 0) this.#touch('pointermove', at, y)
+    if (isCut) this.#touch('pointerup', at, y)
+    this.#hand.hidden = isCut
+    requestAnimationFrame((later) => this.#dig(isCut ? later + pause - before : begun, later, isCut ? 1 : 0, time > 0))
   }
+}
 
-  /** Again and again. */
-  #race(begun: number): void {
-    const race = new Race()
-    let steps = 0, ended: number | null = null
-    if (wantsCalm()) while (!race.isOver) race.step()
-    const frame = (now: number) => {
-      if (!this.#section.isConnected || (ended !== null && now - ended > wait && !wantsCalm())) {
-        race.free()
-        if (this.#section.isConnected) this.#race(now)
-        return
-      }
-      for (const due = Math.min(steps + 4, Math.floor((now - begun) / 1000 / stepTime)); steps < due; ++steps) race.step()
-      if (race.isOver) ended ??= now
-      const ratio = Math.min(2, devicePixelRatio), { clientWidth: width, clientHeight: height } = this.#strip
-      if (this.#strip.width !== width * ratio || this.#strip.height !== height * ratio) Object.assign(this.#strip, { width: width * ratio, height: height * ratio })
-      const c = this.#strip.getContext('2d')!
-      c.setTransform(ratio, 0, 0, ratio, 0, 0)
-      drawLanes(c, race, width, height)
-      requestAnimationFrame(frame)
-    }
-    requestAnimationFrame(frame)
+function readKept(): Kept | null {
+  try {
+    return JSON.parse(keptDigger() ?? 'null') as Kept | null
+  } catch {
+    return null
   }
 }
 

@@ -1,12 +1,13 @@
-// What there is to win in the digger. Crystals that are cut free, or that something falls on, break and fly to their places,
-// and their cavern gets lighter; gold that is dug out is counted beside; undo takes both back. Whatever falls throws dust,
-// and shakes the picture.
+// What there is to win in the digger. Crystals burst that fall far, or that a boulder falls on: they fly to their places, and
+// their cavern gets lighter. It is to be done with few digs. Gold that is dug out buys boulders. Undo takes all of it back.
+// Whatever falls throws dust, and shakes the picture.
 import type { GroundPicture } from 'localgridseg/draw'
 import type { CellRect } from 'localgridseg/islands'
 import type { Ground } from 'localgridseg/planck'
 import { colours } from '../../examples/digger.js'
 import { Cave } from './cave.js'
-import { cavernAt, Crystals, gold, type Hit, large, shine } from './crystals.js'
+import { cavernAt, Crystals, gold, type Hit, large, shine, type Winnings } from './crystals.js'
+import type { Deeds } from './deeds.js'
 import { element } from './dom.js'
 import { Sound } from './sound.js'
 import { Sparks } from './sparks.js'
@@ -18,18 +19,13 @@ const crumbColours: Readonly<Record<number, string>> = { 1: '#8d6244', 2: '#d8cf
 const dustColour = '#d9c3a5'
 const feast = 2.5 // seconds, when all places are full
 const day = 2 // as the cave counts light
-const tasks = ['Drag to dig crystals free.', 'Boulders break crystals.', 'Cut the ropes.'] // of the caverns in turn
-const walkOn = 'Day! Walk on.'
-
-/** What a visitor has done, for the goal. */
-export interface Deeds {
-  readonly strokes: number // that can be taken back
-  readonly goesBack: boolean
-  /** How often somebody began to dig. */
-  readonly digs: number
-  /** That in a cavern. */
-  digsIn(cavern: number): number
-}
+const price = 3 // pieces of gold, of a boulder
+const told = 7 // seconds, of what is told once
+// Of the caverns in turn: what is told, and with how many digs it is to be done.
+const tasks = [['Cut crystals loose: a long fall bursts them.', 7], ['Boulders burst what lies low.', 9], ['Cut the ropes.', 9]] as const
+const taskOf = (cavern: number) => tasks[((cavern % tasks.length) + tasks.length) % tasks.length]
+const walkOn = 'Day! Walk on, or try it with fewer digs.'
+const tooLow = 'Too low to burst. Dig a pit first, or drop a boulder on it.'
 
 export class Goal {
   readonly crystals: Crystals
@@ -42,11 +38,18 @@ export class Goal {
   readonly #sound = new Sound()
   readonly #lead = element('dig-lead').querySelector('strong')!
   readonly #places = [...element('dig-places').children] as HTMLElement[]
-  readonly #gold = element('dig-gold').previousElementSibling as HTMLElement
+  readonly #gold = element('dig-gold').nextElementSibling as HTMLElement
   #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
-  #told = 0 // of gold
+  readonly #boulder = element<HTMLButtonElement>('dig-boulder')
+  readonly #score = element('dig-score')
+  #seen = '' // of the score, and of gold
+  #asks: string | null = null // is told as long as it is asked for
+  #news = { text: '', left: 0 } // for so many seconds
   readonly #arrived = new Map<number, number>() // crystals of a cavern that are in their places
-  #here = 0 // the cavern that is counted: where one dug, or walked to
+  /** The cavern that is counted: where one dug, or walked to. */
+  here = 0
+  /** The crystals of this cavern that are in their places, when there is one more. */
+  onWin: (count: number) => void = () => {}
   #x = 0 // where the picture was
   #feast = 0 // seconds that are left of it
   #row = { digs: 0, count: 0 } // crystals that broke after the last dig
@@ -58,7 +61,7 @@ export class Goal {
     this.#picture = picture
     this.#deeds = deeds
     this.crystals = new Crystals(ground)
-    this.#cave = new Cave(canvas, element<HTMLCanvasElement>('dig-sky'), picture, this.crystals, colours)
+    this.#cave = new Cave(canvas, element<HTMLCanvasElement>('dig-sky'), picture, this.crystals, colours, gravity)
     for (const type of ['pointerdown', 'pointermove'] as const) {
       canvas.addEventListener(type, (event) => this.#beforeDig(event), { capture: true })
       canvas.addEventListener(type, () => this.#afterDig()) // digger.js has dug meanwhile
@@ -66,6 +69,38 @@ export class Goal {
     const switches = element<HTMLInputElement>('dig-sound')
     switches.addEventListener('change', () => { this.#sound.isOn = switches.checked })
     requestAnimationFrame((now) => this.#frame(now, now - 16))
+  }
+
+  /** What was won at another visit: it is light there at once. */
+  restore(winnings: Winnings): void {
+    this.crystals.winnings = winnings
+    for (const { cavern } of winnings.won) {
+      const count = this.crystals.count(cavern)
+      this.#arrived.set(cavern, count)
+      this.#cave.setLight(cavern, this.#lightFor(count))
+    }
+    this.#fill()
+  }
+
+  /** The cavern begins anew. */
+  renew(): void {
+    this.crystals.renew(this.here)
+    this.#feast = 0
+    this.#news.left = 0
+  }
+
+  /** What is asked for now, if anything is. */
+  ask(text: string | null): void {
+    this.#asks = text
+  }
+
+  say(at: readonly [number, number], text: string): void {
+    this.#sparks.say(at, text)
+  }
+
+  /** For a boulder, which was the last of so many strokes. */
+  pay(strokes: number): void {
+    this.crystals.spend(price, strokes)
   }
 
   #frame(now: number, last: number): void {
@@ -77,9 +112,10 @@ export class Goal {
     this.#settle(time)
     this.#lookAround()
     for (const [cavern, arrived] of this.#arrived) {
-      const light = this.#cave.lightOf(cavern), to = Math.min(day, (day * arrived) / this.#places.length)
-      this.#cave.setLight(cavern, light + (to - light) * Math.min(1, 2 * time))
+      const light = this.#cave.lightOf(cavern)
+      this.#cave.setLight(cavern, light + (this.#lightFor(arrived) - light) * Math.min(1, 2 * time))
     }
+    this.#tell(time)
     this.#cave.draw(now)
     const c = this.#canvas.getContext('2d')!, { x, y, size } = this.#picture, scale = (size * this.#canvas.width) / this.#canvas.clientWidth
     c.save()
@@ -87,6 +123,10 @@ export class Goal {
     this.#sparks.draw(c)
     c.restore()
     requestAnimationFrame((next) => this.#frame(next, now))
+  }
+
+  #lightFor(arrived: number): number {
+    return Math.min(day, (day * arrived) / this.#places.length)
   }
 
   /** Crumbs of what is there now. */
@@ -117,27 +157,27 @@ export class Goal {
     const cavern = cavernAt(at[0]), nth = this.crystals.count(cavern) - 1
     const to = () => this.#inCells(block === large ? this.#places[nth % this.#places.length] : this.#gold)
     for (let k = 0; k < (block === large ? shards : 2); ++k)
-      this.#sparks.fly([at[0], at[1]], to, shine[block], 0.75 + 0.06 * k, () => { if (k === 0) block === gold ? this.#arriveGold() : this.#arrive(cavern) })
+      this.#sparks.fly([at[0], at[1]], to, shine[block], 0.75 + 0.06 * k, () => { if (k === 0) block === gold ? this.#sound.chime(this.crystals.gold) : this.#arrive(cavern) })
   }
 
-  #hit({ at, area, block, speed, isBroken }: Hit): void {
+  #hit({ at, area, block, speed, what }: Hit): void {
     const hard = Math.min(1, (speed * Math.sqrt(area)) / 50)
     this.#sound.thud(hard)
     if (!wantsCalm()) this.#shake = Math.max(this.#shake, 7 * hard)
     const below: [number, number] = [at[0], at[1] - 0.45 * Math.sqrt(area)]
-    this.#sparks.dust(below, 6 + Math.round(14 * hard), 3 + 9 * hard, dustColour)
+    this.#sparks.dust(below, 6 + Math.round(14 * hard), 3 + 9 * hard, what === 'is thrown up' ? crumbColours[4] : dustColour)
     this.#sparks.crumbs(below, Math.round(24 * hard), crumbColours[block] ?? dustColour, 6 + 5 * hard, 0.2 + 0.16 * hard)
-    if (!isBroken) return
+    if (what === 'is thrown up') this.#sparks.say(at, 'boing')
+    if (what === 'stays whole') {
+      this.#sparks.say(at, 'too low')
+      this.#news = { text: tooLow, left: told }
+    }
+    if (what !== 'burst') return
     this.#win(at, block)
     if (block !== large) return
-    const { digs } = this.#deeds
+    const digs = this.#deeds.begun
     this.#row = { digs, count: digs === this.#row.digs ? this.#row.count + 1 : 1 }
     this.#sparks.say(at, this.#row.count > 1 ? `${this.#row.count} with one dig!` : '+1')
-  }
-
-  #arriveGold(): void {
-    this.#sound.chime(this.crystals.gold)
-    this.#tell()
   }
 
   #arrive(cavern: number): void {
@@ -145,12 +185,14 @@ export class Goal {
     this.#sound.chime(arrived)
     if (arrived >= this.crystals.count(cavern)) return // it was undone on its way
     this.#arrived.set(cavern, arrived + 1)
-    if (cavern !== this.#here) return
+    if (cavern !== this.here) return
     this.#fill()
+    this.onWin(arrived + 1)
     if (arrived + 1 !== this.#places.length) return
     this.#feast = feast
-    const digs = this.#deeds.digsIn(cavern)
-    this.#lead.textContent = `Daybreak! With ${digs} dig${digs === 1 ? '' : 's'}.`
+    const digs = this.#deeds.digsIn(cavern), best = this.#deeds.best.get(cavern) ?? Infinity
+    this.#deeds.best.set(cavern, Math.min(best, digs))
+    this.#news = { text: `Daybreak! ${counted(digs)}${digs < best && best < Infinity ? ': your best' : ''}.`, left: feast }
   }
 
   #inPlace(cavern: number): number {
@@ -162,7 +204,6 @@ export class Goal {
     this.#shake *= Math.exp(-9 * time)
     const shift = () => (this.#shake < 0.3 ? 0 : this.#shake * (2 * Math.random() - 1))
     this.#canvas.style.translate = `${shift()}px ${shift()}px`
-    if (this.crystals.gold < this.#told) this.#tell()
     for (const [cavern, arrived] of this.#arrived) {
       const count = this.crystals.count(cavern)
       if (arrived <= count) continue
@@ -177,15 +218,14 @@ export class Goal {
       this.#sparks.crumbs(at, 24, Object.values(shine)[before % 2], 9, 0.26)
       this.#sound.chime(before)
     }
-    if (this.#feast <= 0) this.#say()
   }
 
   #goTo(cavern: number): void {
-    if (cavern === this.#here) return
-    this.#here = cavern
+    if (cavern === this.here) return
+    this.here = cavern
     this.#feast = 0
+    this.#news.left = 0
     this.#fill()
-    this.#say()
   }
 
   /** Where one walked, and whether there is nothing to do but to walk. */
@@ -193,7 +233,7 @@ export class Goal {
     const { x, size } = this.#picture, wide = this.#canvas.clientWidth / size
     if (x !== this.#x) this.#goTo(cavernAt(x + wide / 2))
     this.#x = x
-    const here = this.#here
+    const here = this.here
     const all = this.crystals.glowing.map(([at]) => at), isSeen = all.some((at) => at > x && at < x + wide)
     const toLeft = !isSeen && !this.#isDone && all.some((at) => at <= x && cavernAt(at) === here) && !all.some((at) => at >= x + wide && cavernAt(at) === here)
     element('dig-left').classList.toggle('asks', toLeft)
@@ -201,30 +241,38 @@ export class Goal {
   }
 
   get #isDone(): boolean {
-    return this.#inPlace(this.#here) >= this.#places.length
-  }
-
-  #say(): void {
-    this.#lead.textContent = this.#isDone ? walkOn : tasks[((this.#here % tasks.length) + tasks.length) % tasks.length]
+    return this.#inPlace(this.here) >= this.#places.length
   }
 
   /** The places of the crystals of this cavern. */
   #fill(): void {
-    const full = this.#inPlace(this.#here)
+    const full = this.#inPlace(this.here)
     for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
-    this.#tell()
   }
 
-  #tell(): void {
-    this.#told = this.crystals.gold
-    this.#gold.className = this.#told > 0 ? 'full' : ''
-    element('dig-gold').textContent = this.#told > 0 ? String(this.#told) : ''
-    const arrived = this.#inPlace(this.#here)
-    element('dig-goal').ariaLabel = `${arrived} crystal${arrived === 1 ? '' : 's'} free, ${this.#told} gold`
+  /** What there is to do, and how far it is done. */
+  #tell(time: number): void {
+    this.#news.left -= time
+    const lead = this.#asks ?? (this.#news.left > 0 ? this.#news.text : this.#isDone ? walkOn : taskOf(this.here)[0])
+    if (this.#lead.textContent !== lead) this.#lead.textContent = lead
+    const digs = this.#deeds.digsIn(this.here), best = this.#deeds.best.get(this.here), { gold } = this.crystals, arrived = this.#inPlace(this.here)
+    const score = `${counted(digs)} · ${best === undefined ? `goal ${taskOf(this.here)[1]}` : `best ${best}`}`, seen = `${arrived} ${gold} ${score}`
+    if (seen === this.#seen) return
+    this.#seen = seen
+    this.#score.textContent = score
+    this.#gold.className = gold > 0 ? 'full' : ''
+    element('dig-gold').textContent = `${gold}/${price}`
+    this.#boulder.disabled = gold < price
+    element<HTMLButtonElement>('dig-again').disabled = digs === 0 && arrived === 0
+    element('dig-goal').ariaLabel = `${arrived} crystal${arrived === 1 ? '' : 's'}, ${score}, ${gold} gold`
   }
 
   #inCells(place: HTMLElement): [number, number] {
     const { left, top, width, height } = place.getBoundingClientRect(), canvas = this.#canvas.getBoundingClientRect()
     return this.#picture.at({ offsetX: left + width / 2 - canvas.left, offsetY: top + height / 2 - canvas.top })
   }
+}
+
+function counted(digs: number): string {
+  return `${digs} dig${digs === 1 ? '' : 's'}`
 }

@@ -1,5 +1,6 @@
-// What the browser keeps of a visit: the ground, and that one has dug; index.html asks for both. It may keep nothing, and
-// say so by throwing.
+// What the browser keeps of a visit: the digger, the ground of all tools, and that one has dug there. It may keep nothing,
+// and say so by throwing.
+const digger = 'localgridseg-digger-1'
 const ground = 'localgridseg-sandbox'
 const welcomed = 'localgridseg-welcomed'
 const most = 1_000_000 // characters
@@ -24,4 +25,8 @@ function hold(name: string, text: string | null): void {
 export const keptGround = () => held(ground)
 export const forgetGround = () => hold(ground, null)
 export const keepGround = (text: string) => hold(ground, text.length < most ? text : null)
+export const keptDigger = () => held(digger)
+export const keepDigger = (text: string) => hold(digger, text.length < most ? text : null)
+/** Whether somebody was at all tools before. */
+export const isKnown = () => held(welcomed) !== null || keptGround() !== null
 export const noteWelcome = () => hold(welcomed, 'yes')

@@ -77,6 +77,7 @@ function onKey(event: KeyboardEvent, actions: KeyActions, driving: Set<string>):
   else if (key === '[') resize(-0.2)
   else if (key === ']') resize(0.2)
   else if (key === 'r') turn()
+  else if (key === 'z') element(event.shiftKey ? 'redo' : 'undo').click()
   else if (tools[key] !== undefined) choose('tool', tools[key])
   else if (/^[1-5]$/.test(key)) choose('block', String(kinds[Number(key) - 1].block))
   else if (buttons[key] !== undefined) element(buttons[key]).click()

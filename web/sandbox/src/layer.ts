@@ -3,10 +3,14 @@ import type { CellRect, Polygon, World } from 'localgridseg'
 import { linesIn } from 'localgridseg/draw'
 import { kindOf } from './blocks.js'
 import type { Camera } from './camera.js'
+import { rimOf } from './crystals.js'
+import { css, darkened, drawSky, pixels, soilTile } from './look.js'
 import { patternOf, theme } from './theme.js'
 
 const cheap = 8000 // cells: a view of so many is drawn anew in every frame in which the camera moves
 const rest = 120 // milliseconds after which a larger view is drawn anew
+const small = 5 // pixels of a cell: below that soil is a colour
+const high = 24 // cells of the sky, from the bottom of a pane to its top
 
 export class GroundLayer {
   readonly canvas = document.createElement('canvas')
@@ -16,10 +20,12 @@ export class GroundLayer {
   #whole = true
   #dirty: CellRect[] = []
   #moved = 0
+  #soil: HTMLCanvasElement | null = null // in the light of the theme
 
-  /** Everything has to be drawn anew. */
+  /** Everything has to be drawn anew, in the colours of now. */
   reset(): void {
     this.#whole = true
+    this.#soil = null
   }
 
   /** Whether the bitmap shows something else than it should. */
@@ -104,8 +110,10 @@ export class GroundLayer {
     c.beginPath()
     c.rect(left, top, right - left, bottom - top)
     c.clip()
-    c.fillStyle = theme().sky
-    c.fillRect(left, top, right - left, bottom - top)
+    const sky = this.canvas.height / high
+    c.setTransform(sky, 0, 0, -sky, 0, this.canvas.height)
+    drawSky(c, theme().mood, 0, this.canvas.width / sky, 0)
+    c.resetTransform()
     this.#drawPolygons(world.polygons(cells))
     this.#drawGrid(cells, unit)
     this.#drawOutline(world, { i0: cells.i0 - 1, j0: cells.j0 - 1, i1: cells.i1 + 1, j1: cells.j1 + 1 }, unit)
@@ -139,7 +147,7 @@ export class GroundLayer {
     }
     const c = this.#context
     for (const [kind, same] of byKind) {
-      c.fillStyle = c.strokeStyle = theme().special[kind] ?? theme().ground
+      c.fillStyle = c.strokeStyle = theme().special[kind] ?? this.#soilOf(c)
       this.#fill(same)
       const pattern = patternOf(c, kind)
       if (pattern === null) continue
@@ -147,6 +155,14 @@ export class GroundLayer {
       c.strokeStyle = 'transparent'
       this.#fill(same)
     }
+  }
+
+  #soilOf(c: CanvasRenderingContext2D): string | CanvasPattern {
+    const unit = this.#drawn.scale * this.#ratio
+    if (unit < small) return theme().ground
+    const pattern = c.createPattern((this.#soil ??= darkened(soilTile(), theme().mood)), 'repeat')!
+    pattern.setTransform(new DOMMatrix([unit / pixels, 0, 0, unit / pixels, this.#px(0), this.#py(0)]))
+    return pattern
   }
 
   // Full cells are rectangles of whole pixels, which is fast and leaves no hairlines. A browser takes long for one path
@@ -177,8 +193,9 @@ export class GroundLayer {
 
   #drawOutline(world: World, cells: CellRect, unit: number): void {
     const c = this.#context
+    const lines = linesIn(world, cells)
     c.beginPath()
-    for (const line of linesIn(world, cells)) {
+    for (const line of lines) {
       c.moveTo(this.#px(line[0]), this.#py(line[1]))
       for (let k = 2; k < line.length; k += 2) c.lineTo(this.#px(line[k]), this.#py(line[k + 1]))
     }
@@ -186,6 +203,11 @@ export class GroundLayer {
     c.lineCap = c.lineJoin = 'round'
     c.lineWidth = Math.min(2, Math.max(0.75, unit / 14)) * (unit > 10 ? 1 : 0.7)
     c.stroke()
+    c.strokeStyle = css(theme().mood.rim, 0.85)
+    c.setTransform(unit, 0, 0, -unit, this.#px(0), this.#py(0))
+    c.lineWidth /= unit
+    c.stroke(rimOf(lines))
+    c.resetTransform()
   }
 }
 

@@ -9,14 +9,15 @@ export interface Held {
 }
 
 export async function toHash(text: string): Promise<string> {
-  const packed = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'))
-  let binary = ''
-  for (const byte of packed) binary += String.fromCharCode(byte)
-  return prefixes.state + btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
+  return prefixes.state + (await pack(new TextEncoder().encode(text)))
 }
 
-export function holdsGround(hash: string): boolean {
-  return [plain, ...Object.values(prefixes)].some((prefix) => hash.startsWith(prefix))
+/** As text that addresses can hold. */
+export async function pack(bytes: Uint8Array): Promise<string> {
+  const packed = await through(bytes, new CompressionStream('deflate-raw'))
+  let binary = ''
+  for (const byte of packed) binary += String.fromCharCode(byte)
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
 }
 
 /** Null if the address holds nothing. Throws if it is damaged. */
@@ -26,7 +27,7 @@ export async function fromHash(hash: string): Promise<Held | null> {
     const prefix = prefixes[kind]
     if (!hash.startsWith(prefix)) continue
     try {
-      return { kind, text: await unpacked(hash.slice(prefix.length)) }
+      return { kind, text: new TextDecoder().decode(await unpack(hash.slice(prefix.length))) }
     } catch {
       throw new Error('This link is damaged: a part of it is missing or was changed on its way.')
     }
@@ -34,17 +35,16 @@ export async function fromHash(hash: string): Promise<Held | null> {
   return null
 }
 
-async function unpacked(text: string): Promise<string> {
+export async function unpack(text: string): Promise<Uint8Array> {
   const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'))
-  const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0))
-  return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')))
+  return through(Uint8Array.from(binary, (letter) => letter.charCodeAt(0)), new DecompressionStream('deflate-raw'))
 }
 
 async function through(
-  bytes: Uint8Array<ArrayBuffer>,
+  bytes: Uint8Array,
   stream: CompressionStream | DecompressionStream,
 ): Promise<Uint8Array> {
-  const result = new Blob([bytes]).stream().pipeThrough(stream)
+  const result = new Blob([bytes as Uint8Array<ArrayBuffer>]).stream().pipeThrough(stream)
   return new Uint8Array(await new Response(result).arrayBuffer())
 }
 

@@ -13,10 +13,11 @@ export const stepTime = 1 / 60
 
 // planck's settings are for metres. The bodies here are a quarter of that. No body moves farther in a step than the
 // radius of the smallest one, so nothing can pass through the ground, and no step needs to look for the time of impact.
+// They are those of all worlds, and rocks of the digger fall as fast as they fall: so they are set for a step alone.
+const small = { linearSleepTolerance: 0.025, angularSleepTolerance: 0.1, maxTranslation: 0.07 }
+const { linearSleepTolerance, angularSleepTolerance, maxTranslation } = Settings
+const usual = { linearSleepTolerance, angularSleepTolerance, maxTranslation }
 Settings.aabbExtension = 0.01
-Settings.linearSleepTolerance = 0.025
-Settings.angularSleepTolerance = 0.1
-Settings.maxTranslation = 0.07
 
 const mostTrails = 40 // riders: a crowd leaves no trails
 const trailSteps = 60
@@ -100,7 +101,9 @@ export class Side {
       }
     }
     this.kicks.beginStep()
+    Object.assign(Settings, small)
     this.physics.step(stepTime, 8, 3)
+    Object.assign(Settings, usual)
     this.#rules.afterStep()
     if (this.riders.length <= mostTrails) this.#noteTrails()
     this.#turnCars()

@@ -1,8 +1,10 @@
 // The colours of the canvas, for light and for dark. They are of Okabe and Ito, whose colours people with any colour
 // vision can tell apart. Kinds of ground differ by pattern as well.
 import { CONVEYOR, ICE, ONE_WAY, STICKY } from './blocks.js'
+import { day, type Mood, nights } from './look.js'
 
 export interface Theme {
+  readonly mood: Mood // of the digger's cave
   readonly sky: string
   readonly grid: string
   readonly ground: string
@@ -20,12 +22,13 @@ export interface Theme {
 const riders = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9']
 
 const light: Theme = {
-  sky: '#fbf7f0',
-  grid: 'rgba(60, 40, 30, 0.06)',
-  ground: '#d5b48c',
+  mood: day,
+  sky: '#fdf3df',
+  grid: 'rgba(60, 40, 30, 0.07)',
+  ground: '#b5835a',
   special: { [ICE]: '#c4e3f3', [STICKY]: '#e3b48f', [ONE_WAY]: '#c9d6b8', [CONVEYOR]: '#d8c3dd' },
   pattern: 'rgba(40, 34, 26, 0.28)',
-  line: '#54402f',
+  line: '#3a2a22',
   riders,
   ink: '#2a2338',
   kick: '#d55e00',
@@ -35,12 +38,13 @@ const light: Theme = {
 }
 
 const dark: Theme = {
-  sky: '#1b1733',
-  grid: 'rgba(235, 225, 255, 0.05)',
-  ground: '#6b5149',
+  mood: nights[0],
+  sky: '#241f45',
+  grid: 'rgba(235, 225, 255, 0.06)',
+  ground: '#6d4f4e',
   special: { [ICE]: '#355d74', [STICKY]: '#8a5226', [ONE_WAY]: '#45583d', [CONVEYOR]: '#5b4762' },
   pattern: 'rgba(255, 255, 255, 0.24)',
-  line: '#dcc8b2',
+  line: '#1a1430',
   riders: ['#3f9fdc', '#e69f00', '#1fb58b', '#d68fb5', '#7cc8f2'],
   ink: '#efeaf6',
   kick: '#ff8432',

@@ -51,7 +51,7 @@ export class Ui {
 
   /** Opens what the address holds, if it holds something; otherwise what was here last time. Whether there was any. */
   async openAddress(): Promise<boolean> {
-    const kept = location.hash === '' ? keptGround() : null
+    const kept = location.hash === '#tools' ? keptGround() : null
     let isOpen = false
     await this.#try(async () => {
       const held = await fromHash(kept ?? location.hash)

@@ -45,12 +45,12 @@ export async function openBrowser() {
   const usual = await newPage({})
   return {
     /** Runs a test on the page, loaded anew. Its clock stands still: sandbox.step() steps it. */
-    async onPage(test, { hash = '', context, query = '' } = {}) {
+    async onPage(test, { hash = '#tools', context, query = '' } = {}) {
       const page = context === undefined ? usual : await newPage(context)
       await page.goto('about:blank')
       await page.goto(address + query + hash)
       await page.waitForSelector('[data-ready]')
-      await page.evaluate(() => window.sandbox.step(0))
+      await page.evaluate(() => window.sandbox.step?.(0))
       await test(page)
       assert.deepEqual(wrong, [])
     },

@@ -12,7 +12,7 @@ test('who goes on to all tools for the first time sees a rock fall, and where to
   browser.onPath(
     async (page) => {
       await page.locator('#dig-more').click()
-      await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length > 0)
+      await page.waitForFunction(() => window.sandbox.game?.rocks.of(window.sandbox.game.sides[0]).length > 0)
       assert.ok(await page.locator('input[name=tool][value=dig]').isChecked())
       await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length === 0)
       assert.equal(await page.evaluate(() => localStorage.getItem('localgridseg-sandbox')), null)
@@ -71,7 +71,7 @@ const area = (page, cavern = 0) => page.evaluate((cavern) => {
 /** Where a point of the land is on the page. */
 const spot = (page, x, y) => page.evaluate(([x, y]) => {
   const { picture, size } = window.sandbox.digger, { left, bottom } = document.getElementById('dig').getBoundingClientRect()
-  return [left + (x - picture.x) * size, bottom - y * size]
+  return [left + (x - picture.x) * size, bottom - (y - picture.y) * size]
 }, [x, y])
 /** A drag across a stem. */
 async function cutAt(page, cx, cy, half = 1.5) {
@@ -81,7 +81,7 @@ async function cutAt(page, cx, cy, half = 1.5) {
   await page.mouse.up()
 }
 /** The first stem, of a mushroom. */
-const cutStem = (page) => cutAt(page, 11.8, 7.5)
+const cutStem = (page) => cutAt(page, 15, 7)
 const tapBack = (page) => page.evaluate(() => { for (const type of ['pointerdown', 'pointerup']) document.getElementById('dig-back').dispatchEvent(new PointerEvent(type)) })
 const free = (page, cavern) => page.evaluate((cavern) => window.sandbox.digger.goal.crystals.count(cavern), cavern)
 const isFree = (page, cavern, count) => page.waitForFunction(([cavern, count]) => window.sandbox.digger.goal.crystals.count(cavern) === count, [cavern, count])
@@ -89,13 +89,13 @@ const goTo = (page, x) => page.evaluate((x) => { window.sandbox.digger.picture.x
 
 test('who comes first sees a hand that digs; whoever digs takes over, and the code beside is that which runs', () =>
   first(async (page) => {
-    await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length > 0)
+    await isFree(page, 0, 1)
     assert.ok(await page.locator('#dig-race canvas').isVisible())
     assert.ok(!(await page.locator('#panes').isVisible()))
     await page.waitForFunction(() => document.querySelector('#dig-code code').textContent !== '')
     const code = await page.locator('#dig-code code').textContent()
     assert.equal(code, readFileSync(new URL('../../examples/digger.js', import.meta.url), 'utf8'))
-    const lines = code.slice(code.indexOf('export async function'), code.indexOf('\nfunction land')).trim().split('\n')
+    const lines = code.slice(code.indexOf('export async function'), code.indexOf('\nexport function land')).trim().split('\n')
     assert.ok(lines.length - 2 <= 20, `${lines.length - 2} lines`)
     await cutStem(page)
     assert.ok(await page.locator('#dig-hand').isHidden())
@@ -116,7 +116,7 @@ test('a stem is cut, its cap falls and is ground again; a tap takes one dig back
     const { x, y } = await page.locator('#dig-back').boundingBox()
     await page.mouse.move(...(await spot(page, 14, 21)))
     await page.mouse.down()
-    await page.mouse.move(...(await spot(page, 24, 21)), { steps: 60 }) // longer than a tap has frames
+    await page.mouse.move(...(await spot(page, 21, 21)), { steps: 60 }) // longer than a tap has frames
     await page.mouse.up()
     assert.ok((await area(page)) < cut - 3)
     await page.mouse.move(x + 9, y + 9)
@@ -137,16 +137,17 @@ test('a crystal that is cut free breaks and is counted, its shards fly to its pl
     await isFree(page, 0, 1)
     await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 1)
     assert.equal(await rocks(page), 0)
-    assert.match(await page.locator('#dig-goal').getAttribute('aria-label'), /^1 crystal/)
+    assert.match(await page.locator('#dig-goal').getAttribute('aria-label'), /^1 crystal, 1 dig · goal 7/)
+    assert.match(await page.locator('#dig-carried').textContent(), /^Your crystal rolls home/)
     await tapBack(page)
     await isFree(page, 0, 0)
     await page.waitForFunction(() => document.querySelectorAll('#dig-places .full').length === 0)
     assert.equal(await full(), 0)
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6)
     await cutAt(page, 5, 20.8) // through gold
-    await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '1')
+    await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '1/3')
     await page.keyboard.down('z')
-    await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '')
+    await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '0/3')
     await page.keyboard.up('z')
   }, calm))
 
@@ -175,6 +176,111 @@ test('a boulder breaks the crystal below it, in a cavern that counts its own; a 
     assert.ok((await area(page, 1)) < whole - 1)
     assert.ok(await bedrock())
   }, calm))
+
+/** What became of what fell, from now on. */
+const noteHits = (page) => page.evaluate(() => {
+  const { crystals } = window.sandbox.digger.goal, step = crystals.step.bind(crystals)
+  window.hits = []
+  crystals.step = (...all) => {
+    const hits = step(...all)
+    window.hits.push(...hits.map(({ what }) => what))
+    return hits
+  }
+})
+const falls = (page) => page.evaluate(() => window.sandbox.digger.goal.crystals.falls(20).filter(({ from: [x] }) => x > 0 && x < 64).map(({ what }) => what))
+const lead = (page, word) => page.waitForFunction((word) => document.getElementById('dig-lead').textContent.includes(word), word)
+
+test('a crystal that falls low stays whole, and the page says why; over a pit it bursts, as its line shows', () =>
+  first(async (page) => {
+    assert.deepEqual((await falls(page)).sort(), ['bursts', 'bursts', 'is thrown up', 'stays whole'])
+    await cutAt(page, 41, 13)
+    await lead(page, 'Too low')
+    assert.equal(await free(page, 0), 0)
+    await tapBack(page)
+    await page.waitForFunction(() => !window.sandbox.digger.ground.canUndo)
+    await cutAt(page, 41, 3, 2.6)
+    assert.ok(!(await falls(page)).includes('stays whole'))
+    await cutAt(page, 41, 13)
+    await isFree(page, 0, 1)
+    assert.equal(await page.locator('#dig-score').textContent(), '2 digs · goal 7')
+  }, calm))
+
+test('a mushroom throws a crystal up, and does not break it; it bursts where it comes down', () =>
+  first(async (page) => {
+    await noteHits(page)
+    await cutAt(page, 14, 17.4)
+    await page.waitForFunction(() => window.hits.includes('is thrown up'))
+    await isFree(page, 0, 1)
+    assert.ok(await page.evaluate(() => window.hits.indexOf('is thrown up') < window.hits.indexOf('burst')))
+  }, calm))
+
+test('three pieces of gold buy a boulder, which falls where one taps if there is room; a tap back gives the gold back', () =>
+  first(async (page) => {
+    const gold = async () => parseInt(await page.locator('#dig-gold').textContent())
+    assert.ok(await page.locator('#dig-boulder').isDisabled())
+    await cutAt(page, 14.5, 20.6, 11)
+    await page.waitForFunction(() => parseInt(document.getElementById('dig-gold').textContent) >= 3)
+    const before = await gold(), digs = await page.locator('#dig-score').textContent()
+    assert.ok(parseInt(digs) >= 2, `a dig is no longer than 8 cells: ${digs}`)
+    await page.locator('#dig-boulder').click()
+    await lead(page, 'Tap where')
+    await page.mouse.click(...(await spot(page, 32, 21)))
+    assert.equal(await rocks(page), 0)
+    await noteHits(page)
+    await page.mouse.click(...(await spot(page, 46, 12)))
+    assert.equal(await rocks(page), 1)
+    await page.waitForFunction((left) => parseInt(document.getElementById('dig-gold').textContent) === left, before - 3)
+    assert.equal(await page.locator('#dig-score').textContent(), digs)
+    await page.waitForFunction(() => window.hits.includes('lands'))
+    await tapBack(page)
+    await page.waitForFunction((all) => parseInt(document.getElementById('dig-gold').textContent) === all, before)
+    assert.equal(await rocks(page), 0)
+  }, calm))
+
+test('a cavern can be begun again, with what was best; what was done is there the next time, also after all tools', () =>
+  browser.onPath(async (page) => {
+    const whole = await area(page), score = () => page.locator('#dig-score').textContent()
+    await cutAt(page, 7, 16)
+    await isFree(page, 0, 1)
+    await page.locator('#dig-again').click()
+    await isFree(page, 0, 0)
+    assert.ok(Math.abs((await area(page)) - whole) < 1e-6)
+    await page.waitForFunction(() => document.getElementById('dig-score').textContent === '0 digs · goal 7')
+    await cutAt(page, 7, 16)
+    await isFree(page, 0, 1)
+    const left = await area(page), said = await score()
+    await page.waitForFunction(() => JSON.parse(localStorage.getItem('localgridseg-digger-1'))?.winnings.won.length === 1)
+    await page.locator('#dig-more').focus()
+    await page.keyboard.press('Enter')
+    await page.waitForSelector('#pane-0 canvas:focus') // keys go there now
+    await page.goto(page.url().replace(/#.*/, ''))
+    await page.reload()
+    await page.waitForSelector('body[data-ready]')
+    assert.ok(await page.locator('#dig').isVisible())
+    assert.equal(await free(page, 0), 1)
+    await page.waitForFunction((said) => document.getElementById('dig-score').textContent === said, said)
+    assert.equal(await page.locator('#dig-places .full').count(), 1)
+    assert.ok(Math.abs((await area(page)) - left) < 1e-6)
+  }, '?keep', { context: calm }))
+
+for (const [width, height] of [[1280, 800], [390, 844], [844, 390]])
+  test(`at ${width} x ${height} nothing covers the land but the ways to walk, and all is seen that there is room for`, () =>
+    first(async (page) => {
+      const { top, bottom, bars } = await page.evaluate(() => {
+        const { picture, size } = window.sandbox.digger, { bottom } = document.getElementById('dig').getBoundingClientRect()
+        const bars = [...document.querySelectorAll('#dig-top > *, #dig-buttons > *')].map((each) => each.getBoundingClientRect().toJSON())
+        return { top: bottom - (24 - picture.y) * size, bottom: bottom + picture.y * size, bars: bars.filter(({ width }) => width > 0) }
+      })
+      assert.ok(bottom - top > height / 3, `${bottom - top}`)
+      for (const [k, a] of bars.entries()) for (const b of bars.slice(k + 1)) assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, JSON.stringify({ a, b }))
+      for (const bar of bars) assert.ok(bar.bottom <= top + 1 || bar.top >= bottom - 1, JSON.stringify({ top, bottom, bar }))
+      if (width < 1000) return
+      const seen = await page.evaluate(() => {
+        const { goal, picture } = window.sandbox.digger, { i0, i1 } = picture.cells
+        return goal.crystals.glowing.filter(([x]) => x > 0 && x < 64).map(([x]) => x - 2 > i0 && x + 2 < i1)
+      })
+      assert.deepEqual(seen, [true, true, true, true, true])
+    }, { ...calm, viewport: { width, height } }))
 
 test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z undoes', () =>
   first(async (page) => {

@@ -39,7 +39,20 @@ test('dig, undo, redo', () =>
     assert.equal(await outline(page), before)
     await page.keyboard.press('Control+Shift+z')
     assert.equal(await outline(page), dug)
+    await page.keyboard.press('z')
+    assert.equal(await outline(page), before)
   }))
+
+for (const [width, height] of [[1280, 800], [390, 844]])
+  test(`at ${width} x ${height} no panel covers a world, and what the edit did is not cut off`, () =>
+    browser.onPage(async (page) => {
+      await tool(page, 'paint')
+      const boxes = (selector) => page.locator(selector).evaluateAll((all) => all.map((each) => each.getBoundingClientRect().toJSON()).filter(({ width }) => width > 0))
+      const panes = await boxes('.pane'), bars = await boxes('#options, #bar, #facts')
+      assert.equal(panes.length, 2)
+      for (const pane of panes) for (const bar of bars) assert.ok(bar.top >= pane.bottom || bar.bottom <= pane.top, JSON.stringify({ pane, bar }))
+      for (const fact of await boxes('#facts > *')) assert.ok(fact.left >= 0 && fact.right <= width && fact.bottom <= height, JSON.stringify(fact))
+    }, { context: { viewport: { width, height } } }))
 
 test('paint with a material, put tiles, draw a polygon', () =>
   browser.onPage(async (page) => {

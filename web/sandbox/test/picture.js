@@ -1,33 +1,32 @@
-// Makes the picture of the README: node test/picture.js FILE.png
-import { drag, openBrowser } from './browser.js'
+// Makes the picture of the digger: node test/picture.js FILE.png
+import { openBrowser } from './browser.js'
 
 const browser = await openBrowser()
 try {
-  await browser.onPage(
+  await browser.onPath(
     async (page) => {
-      // Digs and undoes so often that the engine's code is compiled by now. Else the times would be those of a start.
-      await page.evaluate(() => {
-        const { ground } = window.sandbox.game
-        for (let k = 0; k < 400; ++k) {
-          const x = 5 + (k % 30)
-          ground.begin()
-          ground.edit({ kind: 'carve', region: { rings: [[x, 1, x + 1, 1.1, x + 0.6, 2.2]] } })
-          ground.end()
-          ground.undo()
-        }
-      })
-      await page.locator('#scene').selectOption('hills')
-      await page.evaluate(() => window.sandbox.step(235))
-      await page.waitForTimeout(1200) // until nothing glows any more
-      await drag(
-        page,
-        Array.from({ length: 7 }, (_, k) => [9.5 + k / 2, 2.5]),
-      )
-      await page.evaluate(() => window.sandbox.step(12))
-      await page.waitForTimeout(200)
+      const spot = ([x, y]) => page.evaluate(([x, y]) => {
+        const { picture, size } = window.sandbox.digger, { left, bottom } = document.getElementById('dig').getBoundingClientRect()
+        return [left + (x - picture.x) * size, bottom - (y - picture.y) * size]
+      }, [x, y])
+      const drag = async (from, to) => {
+        await page.mouse.move(...(await spot(from)))
+        await page.mouse.down()
+        await page.mouse.move(...(await spot(to)), { steps: 12 })
+        await page.mouse.up()
+      }
+      const isFree = (count) => page.waitForFunction((count) => document.querySelectorAll('#dig-places .full').length === count, count)
+      await drag([5.5, 16], [8.5, 16])
+      await isFree(1)
+      await drag([48.5, 17], [53, 17])
+      await isFree(2)
+      await page.waitForFunction(() => window.sandbox.digger.ground.rocks().length === 0)
+      await page.waitForTimeout(1500)
+      await drag([12.5, 17.4], [15.5, 17.4])
       await page.screenshot({ path: process.argv[2] })
     },
-    { context: { viewport: { width: 1200, height: 700 } } },
+    '?welcome',
+    { context: { viewport: { width: 1000, height: 620 }, reducedMotion: 'reduce' } },
   )
 } finally {
   await browser.close()

@@ -12,7 +12,17 @@ const run = (page) => page.evaluate(() => window.sandbox.race.step(400, 0))
 test('the wheel with ghosts wins clearly, and the page says so', () =>
   browser.onPage(async (page) => {
     await page.locator('#race').click()
+    await page.evaluate(() => {
+      const { fillText } = CanvasRenderingContext2D.prototype
+      window.written = new Set()
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+        window.written.add(text)
+        return fillText.call(this, text, ...rest)
+      }
+    })
     await run(page)
+    const written = await page.evaluate(() => [...window.written].join('; '))
+    for (const word of [/Speed along the track/, /cells a second/, /distance in cells/, /finish/, /With ghosts it keeps 7\.\d; without, .* 5\.\d is left/]) assert.match(written, word)
     const { times, kicks, replay } = await page.evaluate(() => {
       const { lanes } = window.sandbox.race.race
       return { times: lanes.map(({ time }) => time), kicks: lanes.map(({ kicks }) => kicks.length), replay: lanes[1].replay.length }

@@ -27,19 +27,19 @@ export default function ghosts(element: HTMLElement): void {
   let isOn = false
 
   // What planck finds where the ball is. The first step finds who is near. It pushes the ball out, too.
-  const pushes = ([x, y]: Point): { at: Point; normal: Point }[] => {
+  const pushes = ([x, y]: Point): { at: Point; normal: Point; segment: number }[] => {
     for (let k = 0; k < 2; ++k) {
       ball.setTransform(new Vec2(x, y), 0)
       ball.setLinearVelocity(new Vec2(0, 0))
       physics.step(1e-9)
     }
-    const found: { at: Point; normal: Point }[] = []
+    const found: ReturnType<typeof pushes> = []
     for (let contact = physics.getContactList(); contact !== null; contact = contact.getNext()) {
       if (!contact.isTouching() || !contact.isEnabled()) continue
       contact.getWorldManifold(manifold)
-      const sign = terrain.segment(contact.getFixtureA()) === 0 ? -1 : 1
+      const first = terrain.segment(contact.getFixtureA()), sign = first === 0 ? -1 : 1
       const { x: nx, y: ny } = manifold.normal
-      found.push({ at: [manifold.points[0].x, manifold.points[0].y], normal: [sign * nx, sign * ny] })
+      found.push({ at: [manifold.points[0].x, manifold.points[0].y], normal: [sign * nx, sign * ny], segment: first || terrain.segment(contact.getFixtureB()) })
     }
     return found
   }
@@ -77,16 +77,25 @@ export default function ghosts(element: HTMLElement): void {
     if (isOn) {
       parts.push(path('whisker', [under.start, under.ghost1]), path('whisker', [under.end, under.ghost2]))
       for (const ghost of [under.ghost1, under.ghost2])
-        parts.push(disc('ghostpoint', ghost, 7 * fig.pixel), words('label', [clamp(ghost[0], 0.3, tiles - 0.3), 0.8], 13 * fig.pixel, 'ghost'))
+        parts.push(disc('ghostpoint', ghost, 7 * fig.pixel), words('label ghostword', [clamp(ghost[0], 0.5, tiles - 0.5), 1 - 24 * fig.pixel], 14 * fig.pixel, 'ghost vertex'))
     }
+    parts.push(words('label edgeword', [(under.start[0] + under.end[0]) / 2, 1 - 24 * fig.pixel], 14 * fig.pixel, 'its edge'))
     parts.push(disc(`ball ${isOn ? 'smooth' : 'rough'}`, at, radius))
     let skewed = 0
-    for (const { at: [x, y], normal } of found) {
+    for (const { at: [x, y], normal, segment } of found) {
       const angle = Math.atan2(normal[0], normal[1])
       const isAskew = Math.abs(angle) > straight, kind = isAskew ? 'push wrong' : 'push'
       if (isAskew) ++skewed
-      if (isAskew) parts.push(words('label askew', [x + normal[0] * 1.1, y + normal[1] * 1.2], 14 * fig.pixel, 'askew'))
-      parts.push(arrow(kind, [x, y], [x + normal[0] * 0.9, y + normal[1] * 0.9], 12 * fig.pixel, 0, 0.95))
+      const other = floor.find(({ id }) => id === segment)
+      if (isAskew && other !== undefined) {
+        const middle = (other.start[0] + other.end[0]) / 2
+        parts.push(path('wrong', [other.start, other.end]), words('label askew', [middle, 1 - 24 * fig.pixel], 14 * fig.pixel, 'the end of this one'))
+      }
+      const askew = found.find(({ normal: [nx] }) => Math.abs(nx) > straight), side = Math.sign(askew?.normal[0] ?? -1) * (isAskew ? 1 : -1), tip: Point = [x + normal[0] * 1.25, y + normal[1] * 1.25]
+      parts.push(arrow(kind, [x, y], tip, 12 * fig.pixel, 0, 0.95))
+      const word = words(`label ${isAskew ? 'askew' : 'ghostword'}`, [tip[0] + side * 9 * fig.pixel, tip[1] + (isAskew ? -3 : 3) * fig.pixel], 14 * fig.pixel, isAskew ? 'pushes back' : 'pushes up')
+      word.setAttribute('text-anchor', side < 0 ? 'end' : 'start')
+      parts.push(word)
     }
     layer.replaceChildren(...parts)
     const skew = skewed === 0 ? (found.length === 1 ? 'straight up' : 'all straight up') : `${skewed} of them askew, from the end of the next tile's edge`

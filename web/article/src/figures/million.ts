@@ -2,7 +2,7 @@
 import { circle, createWorld, type World } from 'localgridseg'
 import { counted, grid, seen, type Seen, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
-import { path, type Point, rect } from '../svg.js'
+import { disc, path, type Point, rect } from '../svg.js'
 
 const side = 1000 // cells
 const width = 18 // of the part that is shown, in cells
@@ -11,9 +11,11 @@ const radius = 0.7 // of the brush
 const repeats = 20 // of an edit whose time is taken: one alone is too short for the clock
 const rounds = 5 // of these: the least counts, as other programs run, too
 
+const inside = (x: number, y: number): Point => [clamp(x, 1, width - 1), clamp(y, 1, height - 1)]
+
 export default function million(element: HTMLElement): void {
   const fig = new Figure(element, { x0: 0, y0: 0, x1: width, y1: height }, 'A small part of a world of a million cells')
-  const layer = fig.layer()
+  const layer = fig.layer(), specks = new Specks(fig.layer())
   let world: World | null = null
   let at: Point = [490, 495]
   let touched: Point[] = []
@@ -25,17 +27,21 @@ export default function million(element: HTMLElement): void {
     at: [width / 2, height / 2],
     label: 'Where to dig',
     step: 0.5,
-    move: (x, y) => [clamp(x, 1, width - 1), clamp(y, 1, height - 1)],
-    tap: (x, y) => digAt(x, y),
+    move: inside,
+    drag: (x, y, isFirst) => digAt(x, y, isFirst),
+    tap: (x, y) => digAt(x, y, true),
   })
-  const dig = () => {
+  let times: [number, number] = [0, 0] // here and in a small world: where a drag began
+  const dig = (isFirst: boolean) => {
     if (world === null) return
     const [x, y] = [at[0] + handle.at[0], at[1] + handle.at[1]]
+    if (world.at(x, y).where !== 'outside') specks.fly(handle.at)
     const before = new Map(segmentsAround(world, x, y).map((segment) => [segment.id, segment]))
-    const here = timeOf(world, x, y)
-    const small = copyAround(world, x, y)
-    const there = timeOf(small, x, y)
-    small.free()
+    if (isFirst) {
+      const small = copyAround(world, x, y)
+      times = [timeOf(world, x, y), timeOf(small, x, y)]
+      small.free()
+    }
     world.carve(brush(x, y))
     const { removed, added, relinked } = world.commit()
     // The dashes are above: a line of a cut polygon that stayed where it was is both.
@@ -56,14 +62,16 @@ export default function million(element: HTMLElement): void {
     report =
       `The brush reached ${counted(touched.length, 'cell')}; with all their neighbours these are ${near.length} of a million cells. ` +
       `${counted(removed.length, 'segment')} removed, ${added.length} added, ${relinked.length} with another ghost. ` +
-      `To dig here and take it back takes ${here.toFixed(2)} ms. In a world of only the 100 cells around it: ${there.toFixed(2)} ms.`
+      `To dig here and take it back takes ${times[0].toFixed(2)} ms. In a world of only the 100 cells around it: ${times[1].toFixed(2)} ms.`
     fig.redraw()
   }
-  const digAt = (x: number, y: number) => {
-    handle.at = [clamp(x, 1, width - 1), clamp(y, 1, height - 1)]
-    dig()
+  const digAt = (x: number, y: number, isFirst: boolean) => {
+    const [px, py] = handle.at, to = inside(x, y)
+    if (!isFirst && Math.hypot(to[0] - px, to[1] - py) < radius / 2) return
+    handle.at = to
+    dig(isFirst)
   }
-  fig.button('Dig here', dig)
+  fig.button('Dig here', () => dig(true))
   fig.button('Elsewhere', () => {
     at = [Math.floor(Math.random() * (side - width)), Math.floor(Math.random() * (side - height))]
     touched = near = []
@@ -71,7 +79,7 @@ export default function million(element: HTMLElement): void {
     report = `Another place: columns ${at[0]} to ${at[0] + width}, rows ${at[1]} to ${at[1] + height}.`
     fig.redraw()
   })
-  fig.onTap(digAt)
+  fig.onDrag(digAt)
   const draw = () => {
     if (world === null) return fig.say('A million cells are being filled.')
     const cells = { i0: at[0] - 1, j0: at[1] - 1, i1: at[0] + width, j1: at[1] + height }
@@ -88,7 +96,7 @@ export default function million(element: HTMLElement): void {
     for (const { start, end } of segmentsIn(world, cells)) parts.push(path('segment far', [shift(start), shift(end)]))
     for (const { list, kind } of changed) for (const { start, end } of list) parts.push(path(kind, [shift(start), shift(end)]))
     layer.replaceChildren(...parts)
-    fig.say(report || `${world.stats().cells.toLocaleString('en')} of a million cells hold rock. Tap somewhere to dig.`)
+    fig.say(report || `${world.stats().cells.toLocaleString('en')} of a million cells hold rock. Drag to dig.`)
   }
   fig.draws(draw)
   // A tenth of a second of work, which waits until somebody comes near.
@@ -144,3 +152,29 @@ function copyAround(world: World, x: number, y: number): World {
 const segmentsIn = (world: World, cells: { i0: number; j0: number; i1: number; j1: number }) => seen(world.segments(cells))
 const segmentsAround = (world: World, x: number, y: number) =>
   segmentsIn(world, { i0: Math.floor(x) - 4, j0: Math.floor(y) - 4, i1: Math.floor(x) + 4, j1: Math.floor(y) + 4 })
+
+/** What flies up where one digs. */
+class Specks {
+  readonly #layer: SVGGElement
+  #all: { x: number; y: number; vx: number; vy: number; age: number }[] = []
+  #last = 0
+
+  constructor(layer: SVGGElement) {
+    this.#layer = layer
+  }
+
+  fly([x, y]: Point): void {
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return
+    if (this.#all.length === 0) requestAnimationFrame((now) => this.#frame((this.#last = now)))
+    for (let k = 0; k < 7; ++k) this.#all.push({ x, y, vx: 5 * (Math.random() - 0.5), vy: 2 + 3 * Math.random(), age: 0 })
+  }
+
+  #frame(now: number): void {
+    const time = Math.min(0.05, (now - this.#last) / 1000)
+    this.#last = now
+    for (const each of this.#all) Object.assign(each, { x: each.x + time * each.vx, y: each.y + time * each.vy, vy: each.vy - 12 * time, age: each.age + time })
+    this.#all = this.#all.filter(({ age }) => age < 0.7)
+    this.#layer.replaceChildren(...this.#all.map(({ x, y, age }) => disc('speck', [x, y], 0.12 * (1 - age / 0.7))))
+    if (this.#all.length > 0) requestAnimationFrame((next) => this.#frame(next))
+  }
+}

@@ -20,8 +20,12 @@ const step = 1 / 60
 const around = 0.06 // seconds before and after a kick that are shown slowly
 const pace = 0.42, slow = 0.05 // of time
 const pause = 70 // frames at the end
-const floors = [3.15, 1.1] // where the floors are drawn
+const floors = [3.6, 0.95] // where the floors are drawn
+const titles = [1.85, 1.6] // above them
+const font = innerWidth < 560 ? 12.5 : 14 // pixels
 const thick = 0.34
+const lead = 0.2 // seconds before the first kick, where it begins for whoever has just come
+const letter = 0.6 // of its size: how wide it is
 
 interface Kick {
   readonly time: number
@@ -57,7 +61,7 @@ function roll(speed: number, ghosts: boolean): Roll {
 }
 
 export default function seams(element: HTMLElement): void {
-  const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: 5.2 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
+  const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: 5.8 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
   let rough = roll(first, false), smooth = roll(first, true)
   const end = () => (rough.points.length - 1) * step
   const at = ({ points }: Roll, t: number): Point => {
@@ -65,9 +69,7 @@ export default function seams(element: HTMLElement): void {
     return [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
   }
   const still = fig.layer(), moving = fig.layer()
-  for (const y of floors) {
-    for (let i = 0; i < tiles; ++i) still.append(rect('slab', i + 0.02, y - thick, i + 0.98, y))
-  }
+  for (const y of floors) still.append(rect('slab', 0, y - thick, tiles, y))
   let time = 0, waits = 0
   const ofHandle = (): Point => [at(rough, time)[0], at(rough, time)[1] + floors[0]]
   const handle = fig.handle({
@@ -97,14 +99,27 @@ export default function seams(element: HTMLElement): void {
     fig.redraw()
   })
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) time = rough.kicks[0].time + 0.7 * around
+  else time = Math.max(0, rough.kicks[0].time - lead)
   handle.at = ofHandle()
+  // Below a floor, as far as there is room to the sides.
+  const below = (kind: string, x: number, floor: number, text: string) => {
+    const size = font * fig.pixel, half = (letter * size * text.length) / 2
+    return words(`label ${kind}`, [clamp(x, half, tiles - half), floor - thick - 1.3 * size], size, text)
+  }
   fig.draws(() => {
-    const parts: SVGElement[] = [], pixel = fig.pixel, rolls = [rough, smooth]
+    const parts: SVGElement[] = [], pixel = fig.pixel, rolls = [rough, smooth], hits = rough.kicks.filter((kick) => kick.time <= time)
+    // Nobody sees that the floor is of tiles, until it matters.
+    if (hits.length > 0) for (const y of floors) for (let i = 1; i < tiles; ++i) parts.push(path('seam', [[i, y], [i, y - thick]]))
+    if (hits.length > 0) {
+      const seam = Math.round(hits[0].at[0])
+      parts.push(path('wrong', [[seam, floors[0]], [seam + 1, floors[0]]]), disc('kick', [seam, floors[0]], 5 * pixel))
+      parts.push(below('askew', seam + 0.5, floors[0], 'hits the end of this edge'))
+    }
     const place = rolls.map((each, n): Point => [at(each, time)[0], at(each, time)[1] + floors[n]])
     rolls.forEach((each, n) => {
       const kind = n === 0 ? 'rough' : 'smooth', [x, y] = place[n], floor = floors[n]
-      parts.push(words(`label title ${kind}`, [0.05, floor - thick - 17 * pixel], 14 * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
-      parts.at(-1)!.setAttribute('text-anchor', 'start')
+      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + titles[n]], (font + 1) * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
+      parts.at(-1)!.setAttribute('text-anchor', 'end')
       const trail = each.points.slice(0, Math.floor(time / step) + 1).map(([px, py]): Point => [px, py + floor])
       parts.push(path(`way ${kind}`, [...trail, [x, y]]))
       for (const kick of each.kicks) {
@@ -118,7 +133,8 @@ export default function seams(element: HTMLElement): void {
       if (n === 1) {
         const under = Math.floor(x)
         parts.push(path('whisker', [[under - 1, floor], [under + 2, floor]]), path('chosen', [[under, floor], [under + 1, floor]]))
-        for (const ghost of [under - 1, under + 2]) if (ghost >= 0 && ghost <= tiles) parts.push(disc('ghostpoint', [ghost, floor], 5 * pixel))
+        for (const ghost of [under - 1, under + 2]) if (ghost >= 0 && ghost <= tiles) parts.push(disc('ghostpoint', [ghost, floor], 6 * pixel))
+        parts.push(below('ghostword', Math.min(under + 2, tiles), floor, '○ ghost vertex: the floor goes on'))
       }
       parts.push(disc(`rider ${kind}`, [x, y], radius))
       const angle = -x / radius

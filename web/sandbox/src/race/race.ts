@@ -121,4 +121,9 @@ export class Race {
     const lead = (Number(lost) - Number(won)).toFixed(2)  // of the times as they are read
     return `With ghosts it wins by ${lead} s: ${won} to ${lost}. Without it was kicked ${kicks} ${kicks === 1 ? 'time' : 'times'}.`
   }
+  /** What the speeds show, when it is over. */
+  get ending(): string {
+    const [smooth, rough] = this.lanes.map(({ moments }) => moments.findLast(({ x }) => x <= finish)!.vx.toFixed(1))
+    return `With ghosts it keeps ${smooth}; without, each kick costs speed, and ${rough} is left.`
+  }
 }

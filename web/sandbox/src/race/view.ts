@@ -1,6 +1,7 @@
 // Draws a race: two lanes, below them the speeds over the same distance, and a lens that shows both at the seam of the
 // first kick, slowly.
 import type { World } from 'localgridseg'
+import { large, shine } from '../crystals.js'
 import { theme, wantsCalm } from '../theme.js'
 import { finish, type Lane, type Moment, type Race, start } from './race.js'
 
@@ -39,20 +40,19 @@ export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number,
   drawLens(c, race.lanes, middle, isWide ? lens / 2 + 44 : bottom + lens / 2 + 30, lens / 2, now)
 }
 
-/** The lanes alone, from near: what is seen goes along with the wheel that is behind. */
-export function drawLanes(c: CanvasRenderingContext2D, race: Race, width: number, height: number): void {
-  c.fillStyle = theme().sky
-  c.fillRect(0, 0, width, height)
+/** The lanes alone, from near: what is seen goes along with the wheel that is behind. So many crystals are in each wheel. */
+export function drawLanes(c: CanvasRenderingContext2D, race: Race, width: number, height: number, load: number): void {
+  c.clearRect(0, 0, width, height)
   const cells = Math.max(farthest + 3.5, (width / height) * 4.5), behind = race.lanes[1].moments.at(-1)!.x
   const part = { from: Math.min(Math.max(whole.from, behind - 2), finish + 5 - cells), cells }
-  race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: (k * height) / 2, width, height: height / 2 }, part))
+  race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: (k * height) / 2, width, height: height / 2 }, part, load))
 }
 
 function unitOf({ width }: Place, { cells }: Part): number {
   return (width - 24) / cells
 }
 
-function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: Place, part = whole): void {
+function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: Place, part = whole, load = 0): void {
   const colours = theme()
   const unit = unitOf(place, part)
   const text = Math.max(12, Math.min(16, place.height / 5.5, place.width / 26))
@@ -74,7 +74,7 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
     c.fillRect(x + 0.5, y, unit - 1, thick)
   }
   if (lane.side.ghosts) drawGhosts(c, world, lane.moments.at(-1)!, at)
-  drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, wheel)
+  drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, wheel, load)
   c.restore()
   c.textBaseline = 'top'
   c.textAlign = 'left'
@@ -147,7 +147,7 @@ function drawPath(c: CanvasRenderingContext2D, { moments, side }: Lane, at: (x: 
   c.globalAlpha = 1
 }
 
-function drawWheel(c: CanvasRenderingContext2D, { x, y, angle }: Moment, at: (x: number, y: number) => [number, number], radius: number, colour: string): void {
+function drawWheel(c: CanvasRenderingContext2D, { x, y, angle }: Moment, at: (x: number, y: number) => [number, number], radius: number, colour: string, load = 0): void {
   const [px, py] = at(x, y)
   c.fillStyle = colour
   c.beginPath()
@@ -156,41 +156,66 @@ function drawWheel(c: CanvasRenderingContext2D, { x, y, angle }: Moment, at: (x:
   c.strokeStyle = theme().sky
   c.lineWidth = Math.max(1.5, radius / 5)
   c.beginPath()
-  c.moveTo(px, py)
-  c.lineTo(px + radius * 0.7 * Math.cos(angle), py - radius * 0.7 * Math.sin(angle))
-  c.stroke()
+  if (load === 0) {
+    c.moveTo(px, py)
+    c.lineTo(px + radius * 0.7 * Math.cos(angle), py - radius * 0.7 * Math.sin(angle))
+    return c.stroke()
+  }
+  c.fillStyle = shine[large]
+  const far = load === 1 ? 0 : 0.52 * radius, size = radius * (load === 1 ? 0.6 : 0.34)
+  for (let k = 0; k < load; ++k) {
+    const turn = (2 * Math.PI * k) / load - angle, cx = px + far * Math.cos(turn), cy = py + far * Math.sin(turn)
+    for (const [dx, dy] of [[0, -1], [0.7, -0.1], [0, 1], [-0.7, -0.1]]) {
+      const x = dx * Math.cos(angle) + dy * Math.sin(angle), y = dy * Math.cos(angle) - dx * Math.sin(angle)
+      if (dy === -1) c.moveTo(cx + size * x, cy + size * y)
+      else c.lineTo(cx + size * x, cy + size * y)
+    }
+  }
+  c.fill()
 }
 
-// Speed over distance: below each place of the track is how fast the wheels were there.
+// Speed over distance: below each place of the track is how fast the wheels were there; and in words, once it is over.
 function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void {
-  const colours = theme()
-  const unit = unitOf(place, whole)
-  const [top, low] = [place.y + 34, place.y + place.height - 16]
-  const at = ({ x, vx }: Moment): [number, number] => [12 + (x + 0.5) * unit, low - ((low - top) * (vx - 3)) / (start.speed - 3)]
+  const colours = theme(), unit = unitOf(place, whole), isRoomy = place.height > 150
+  const top = place.y + 44, low = place.y + place.height - (isRoomy ? 44 : 24), least = 3
+  const at = (x: number, v: number): [number, number] => [12 + (x + 0.5) * unit, low - ((low - top) * (v - least)) / (start.speed - least)]
+  const write = (text: string, x: number, y: number, align: CanvasTextAlign, weight = 400, size = 12) => {
+    c.font = `${weight} ${size}px ${font}`
+    c.textAlign = align
+    c.fillText(text, x, y)
+  }
   c.strokeStyle = colours.grid
+  c.fillStyle = colours.ink
   c.lineWidth = 1
-  c.font = `12px ${font}`
-  c.textBaseline = 'top'
-  c.textAlign = 'right'
-  for (let v = 3; v <= start.speed; v += 2) {
-    const [x, y] = at({ x: -0.5, y: 0, angle: 0, vx: v, vy: 0 })
+  c.textBaseline = 'middle'
+  write('Speed along the track', 14, place.y + 20, 'left', 600, 14)
+  write('cells a second ↑', place.width - 14, place.y + 22, 'right')
+  for (const v of [3, 5, 7]) {
+    const [x, y] = at(-0.5, v)
     c.beginPath()
     c.moveTo(x, y)
     c.lineTo(place.width - 12, y)
     c.stroke()
-    c.fillStyle = colours.ink
-    c.globalAlpha = 0.7
-    c.fillText(v + 2 > start.speed ? `${v} cells a second` : String(v), place.width - 14, y + 2)
-    c.globalAlpha = 1
+    write(String(v), place.width - 14, y - 8, 'right')
   }
+  for (let x = 0; x <= finish; x += 6) {
+    const [px] = at(x, least)
+    c.beginPath()
+    c.moveTo(px, low)
+    c.lineTo(px, low + 5)
+    c.stroke()
+    write(x === finish ? 'finish' : x === 0 ? 'start' : String(x), px, low + 13, x === 0 ? 'left' : 'center')
+  }
+  if (isRoomy) write('distance in cells →', place.width - 14, low + 30, 'right')
   for (const lane of [race.lanes[1], race.lanes[0]]) {
     c.strokeStyle = colours.riders[lane.side.ghosts ? 0 : 1]
     c.lineWidth = 3
     c.lineJoin = 'round'
     c.beginPath()
-    for (const moment of lane.moments) if (moment.x <= finish + 1) c.lineTo(...at(moment))
+    for (const moment of lane.moments) if (moment.x <= finish + 1) c.lineTo(...at(moment.x, moment.vx))
     c.stroke()
   }
+  if (isRoomy && race.isOver) write(race.ending, 14, low + 30, 'left', 600, Math.min(14, place.width / 34))
 }
 
 // Above the wheel with ghosts, below that without, at the same seam.

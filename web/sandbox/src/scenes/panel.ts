@@ -17,8 +17,6 @@ export class ScenePanel {
     own.hidden = true
     this.#menu.append(own, ...scenes.map(({ id, name }) => new Option(name, id)), new Option('Begin it anew', anew))
     this.#menu.value = this.#open
-    // Its page begins anew, since the digger is there alone.
-    onClick('back-to-digger', () => setTimeout(() => location.reload()))
     this.#menu.addEventListener('change', () => {
       const value = this.#menu.value === anew ? this.#open || scenes[0].id : this.#menu.value
       this.#menu.value = value
