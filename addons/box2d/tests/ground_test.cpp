@@ -57,6 +57,17 @@ TEST_F(GroundOfBox2d, WhatIsCutOffFallsRestsAndIsGroundUntilItIsUndone) {
   EXPECT_EQ(rocks(), 1U) << "what settled since lies there as a body";
 }
 
+TEST_F(GroundOfBox2d, WhileThereIsSomethingToRedoNothingSettles) {
+  ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{1, 6}); }));
+  ASSERT_TRUE(ground.place({-5, 0}, kUnitSquare, 1));
+  ASSERT_TRUE(ground.undo());
+  play(300);
+  EXPECT_EQ(rocks(), 1U);
+  ASSERT_TRUE(ground.redo());
+  play(300);
+  EXPECT_EQ(rocks(), 0U);
+}
+
 TEST_F(GroundOfBox2d, ARockThatTheGameDestroysIsNotTheNextBodyAtItsAddress) {
   ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{1, 6}); }));
   ASSERT_EQ(rocks(), 1U);

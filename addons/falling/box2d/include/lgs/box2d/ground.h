@@ -96,8 +96,9 @@ class GroundHost {
     const auto [velocity, spin] = movingOf(body);
     return std::hypot(velocity.x, velocity.y) < kSlow && std::abs(spin) < kSlowSpin;
   }
-  /// Whether the ground would carry it: a rock that rests on another body alone would fall again.
-  bool isHeld(BodyHandle body) { return touchesGround(terrain_, body); }
+  /// Whether the ground would carry it: a rock that rests on another body alone would fall again, and one on a tip falls
+  /// over.
+  bool isHeld(BodyHandle body) { return falling_.rests(body); }
   /// As that of FallingGround.
   Expected<Placing> placingOf(BodyHandle body) { return falling_.placingOf(body); }
   /// It stands still from now on: it is static, so no ground that is new in it pushes it out.
