@@ -12,8 +12,8 @@
 namespace lgs::box2d_test {
 namespace {
 
-constexpr Block kRock = 1, kBedrock = 9;
-constexpr double kHeight = 3;  // of the tip
+constexpr Block kFallen = 1, kFloor = 9;
+constexpr double kTip = 3;  // of the tip
 
 Ring ringOf(const std::vector<DoublePoint>& corners) {
   Ring ring;
@@ -26,10 +26,10 @@ class OnATip {
  public:
   OnATip(double half, const std::vector<DoublePoint>& rock) {
     EXPECT_TRUE(ground.edit([&](World& world) -> Expected<void> {
-      if (const auto done = world.fill({{-20, -1}, {20, -1}}, world.shape(kUnitSquare).value(), kBedrock); !done)
+      if (const auto done = world.fill({{-20, -1}, {20, -1}}, world.shape(kUnitSquare).value(), kFloor); !done)
         return tl::unexpected(done.error());
-      if (const auto done = paint(world, {{-half, 0}, {half, 0}, {0, kHeight}}, kBedrock); !done) return done;
-      return paint(world, rock, kRock);
+      if (const auto done = paint(world, {{-half, 0}, {half, 0}, {0, kTip}}, kFloor); !done) return done;
+      return paint(world, rock, kFallen);
     }));
     EXPECT_EQ(rockCount(), 1);
   }
@@ -47,7 +47,7 @@ class OnATip {
   DoublePoint middle() const {
     std::vector<BodyPolygon> polygons;
     ground.world().forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-      if (p.block == kRock) polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
+      if (p.block == kFallen) polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
     });
     return massOf(polygons).centroid;
   }
@@ -60,14 +60,14 @@ class OnATip {
   }
 
   Crowd crowd;
-  box2d::Ground ground{{.isAnchor = [](Block block, Cell) { return block == kBedrock; }}, crowd.physics};
+  box2d::Ground ground{{.isAnchor = [](Block block, Cell) { return block == kFloor; }}, crowd.physics};
 };
 
 /// Convex: as wide as it may be half way up, with a point or a side below and above.
 std::vector<DoublePoint> anyRock(oracle::Random& random) {
   const double width = 0.3 + 0.1 * random.below(12), height = 0.3 + 0.1 * random.below(12);
   const double foot = width * random.below(4) / 3, top = width * random.below(4) / 3;
-  const double x = 0.004 * (random.below(9) - 4), y = kHeight + 0.02;
+  const double x = 0.004 * (random.below(9) - 4), y = kTip + 0.02;
   std::vector<DoublePoint> corners{{x + foot, y}, {x + width, y + height / 2}, {x + top, y + height}};
   if (top > 0) corners.push_back({x - top, y + height});
   corners.push_back({x - width, y + height / 2});
@@ -79,7 +79,7 @@ LGS_LAW(GroundOfBox2dTips, NothingBecomesGroundOnATip, 60, (std::uint64_t seed))
   oracle::Random random(seed);
   OnATip game(0.05 + 0.05 * random.below(8), anyRock(random));
   EXPECT_TRUE(game.play()) << "it never came to rest";
-  EXPECT_LT(game.middle().y, kHeight) << "it is ground in balance";
+  EXPECT_LT(game.middle().y, kTip) << "it is ground in balance";
 }
 
 }  // namespace

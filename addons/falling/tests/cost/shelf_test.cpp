@@ -54,7 +54,7 @@ class Shelved {
     return {.isAnchor = [](Block, Cell) { return true; }, .atEdge = atEdge};
   }
   std::int32_t side_;
-  Ground<> ground_;
+  lgs::Ground<> ground_;
   std::vector<std::byte> saved_;
 };
 
