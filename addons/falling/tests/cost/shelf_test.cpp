@@ -79,7 +79,7 @@ TEST_P(CostOfShelf, OfALoadIsInProportion) {
 }
 TEST_P(CostOfShelf, OfAnUndoIsAtMostInProportion) { expectInProportion(&Shelved::costOfUndo); }
 
-INSTANTIATE_TEST_SUITE_P(AtEdge, CostOfShelf, testing::Values(AtEdge::holds, AtEdge::open));
+INSTANTIATE_TEST_SUITE_P(CostOfShelf, CostOfShelf, testing::Values(AtEdge::holds, AtEdge::open));
 
 }  // namespace
 }  // namespace lgs::cost_test

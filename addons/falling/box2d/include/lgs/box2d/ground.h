@@ -52,13 +52,15 @@ class GroundHost {
   bool isThere() const { return isPhysicsThere(physics_); }
   /// Whether both are one body.
   static bool isSame(BodyHandle a, BodyHandle b) { return a == b; }
-  /// Syncs the terrain.
+  /// Syncs the terrain. Who came back with the ground is put out of it, if it is another one than when it was disabled.
   void show(const Changes& changes) {
-    if (!terrain_.sync(changes) && !terrain_.isCurrent()) terrain_.resync();
+    const std::vector<BodyHandle> coming = std::exchange(coming_, {});
+    if (!terrain_.sync(changes, coming) && !(terrain_.isCurrent() && coming.empty())) terrain_.resync();
   }
   /// After a load: the terrain shows what there is now.
   void showAll() {
     window(window_);
+    coming_.clear();
     terrain_.resync();
   }
   /// A body where a rock is, moving as it does; null, if all of it is too thin.
@@ -116,7 +118,7 @@ class GroundHost {
   bool has(BodyHandle body) const {
     return std::ranges::any_of(falling_.bodies(), [&](const Falling& f) { return f.body == body; });
   }
-  /// Bodies come back before the ground that they were in is new: so law 13 holds for them.
+  /// Bodies come back before the sync.
   void window(const CellRect& cells) {
     window_ = cells;
     away_.eraseIf([&](BodyHandle body) {
@@ -124,6 +126,7 @@ class GroundHost {
       if (isAway(body)) return false;
       enable(body, true);
       noteWhereItIs(terrain_, body);
+      coming_.push_back(body);
       return true;
     });
     disableAway(false);
@@ -172,6 +175,7 @@ class GroundHost {
   FallingGround falling_;
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
   detail::KnownBodies away_;
+  std::vector<BodyHandle> coming_;  // enabled since the last sync
 };
 
 /// The comment at the top of <lgs/ground.h> is its manual.
