@@ -13,6 +13,12 @@ DoublePoint inCells(Point p) {
   return {static_cast<double>(p.x) / kUnitsPerCell, static_cast<double>(p.y) / kUnitsPerCell};
 }
 
+GroundDrawing::Fill fillOf(Block block, Cell cell, std::span<const LocalPoint> vertices) {
+  GroundDrawing::Fill fill{block, {}};
+  for (const LocalPoint v : vertices) fill.corners.push_back(inCells(toWorld(cell, v)));
+  return fill;
+}
+
 }  // namespace
 
 Shelf shelfInMemory() {
@@ -29,12 +35,17 @@ Shelf shelfInMemory() {
 GroundDrawing drawingOf(const World& world, const CellRect& cells) {
   GroundDrawing drawing{cells, {}, {}};
   world.forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& polygon) {
-    GroundDrawing::Fill& fill = drawing.fills.emplace_back(GroundDrawing::Fill{polygon.block, {}});
-    for (const LocalPoint v : polygon.vertices) fill.corners.push_back(inCells(toWorld(cell, v)));
+    drawing.fills.push_back(fillOf(polygon.block, cell, polygon.vertices));
   });
   for (const SegmentId id : world.segments(cells))
     if (const auto s = world.segment(id)) drawing.lines.push_back({s->block, inCells(s->start), inCells(s->end)});
   return drawing;
+}
+
+std::vector<GroundDrawing::Fill> fillsOf(const Body& rock) {
+  std::vector<GroundDrawing::Fill> fills;
+  for (const BodyPolygon& p : rock.polygons) fills.push_back(fillOf(p.block, p.cell, p.vertices));
+  return fills;
 }
 
 void ChangedSquares::note(Cell cell) {

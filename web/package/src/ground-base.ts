@@ -11,9 +11,8 @@
 //  6. A call that is refused has changed nothing, and one that is not is done, also where a function of the game throws that
 //     it asks (ground-asking.ts). None of these, and no listener of contacts, can change the ground meanwhile.
 import { atOnce, bad, options as known, within } from './check.js'
-import { preserveFailed } from './engine.js'
 import { LgsError } from './error.js'
-import { Asking } from './ground-asking.js'
+import { Asking, preserving } from './ground-asking.js'
 import { ChangedSquares, everywhere, loadedGround, savedGround } from './ground-parts.js'
 import { GroundRocks, type Tries } from './ground-rocks.js'
 import type { GroundDrawing, GroundOptions, Host, Rock } from './ground-types.js'
@@ -47,7 +46,7 @@ export abstract class GroundBase<Body> {
     const { anchors, atEdge, preserve, undoSteps = 64, follow } = known('options', names, options)
     if (follow !== undefined && typeof follow !== 'function') throw bad('follow', 'a function', follow)
     this.#options = { ...(anchors && { anchors }), ...(atEdge && { atEdge }), ...(follow && { follow }) }
-    this.#ofWorld = typeof preserve === 'function' ? { preserve: this.#preserving(preserve) } : preserve === undefined ? {} : { preserve }
+    this.#ofWorld = typeof preserve === 'function' ? { preserve: preserving(this.asking, preserve) } : preserve === undefined ? {} : { preserve }
     this.#window = new GroundWindow(options, this.#ofWorld, this.asking)
     this.#undoSteps = within('undoSteps', undoSteps, 0, 1e6)
     this.#world = createWorld(this.#ofWorld)
@@ -70,19 +69,6 @@ export abstract class GroundBase<Body> {
       this.#world.free()
       throw error
     }
-  }
-
-  #preserving(preserve: NonNullable<WorldOptions['preserve']>): NonNullable<WorldOptions['preserve']> {
-    const cancelled = new Set<string>()  // also in what is saved, and loaded again
-    return (smaller, greater) => this.asking.ask(() => {
-      if (cancelled.has(`${smaller} ${greater}`)) return false
-      try {
-        return atOnce('what preserve() gives', 'true or false', preserve(smaller, greater))
-      } catch (cause) {
-        cancelled.add(`${smaller} ${greater}`)
-        throw preserveFailed(cause)
-      }
-    }, false)
   }
 
   get #live(): Host<Body> {
@@ -143,13 +129,9 @@ export abstract class GroundBase<Body> {
   /** Whether there is one to make again. */
   get canRedo(): boolean { return this.#now + 1 < this.#oldest + this.#marks.length }
   /** Takes the last stroke back, and what fell or settled since. Whether there was one. */
-  undo(): boolean {
-    return this.#during(() => this.canUndo && this.#go(this.#now - 1))
-  }
+  undo(): boolean { return this.#during(() => this.canUndo && this.#go(this.#now - 1)) }
   /** Makes it again. Whether there was one. */
-  redo(): boolean {
-    return this.#during(() => this.canRedo && this.#go(this.#now + 1))
-  }
+  redo(): boolean { return this.#during(() => this.canRedo && this.#go(this.#now + 1)) }
   /** Releases all steps of undo, as after the game built a level. */
   forgetUndo(): void {
     this.#during(() => {

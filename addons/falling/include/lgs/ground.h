@@ -174,7 +174,7 @@ class Ground {
 
   // --- Looking
 
-  /// The squares that look different since the last call, the first time all.
+  /// The squares that look different since the last call, the first time all. Rocks are not in it: fillsOf() draws one.
   std::vector<GroundDrawing> draw() { return squares_.draw(world_); }
   /// Calls visit(handle, ground) for each rock in the air. A null handle has no body, as all of it is too thin. The
   /// visit collects those that it is to settle() or forget().

@@ -80,6 +80,9 @@ struct GroundDrawing {
 /// What a square of a world looks like. Cost: in proportion to what is in it.
 [[nodiscard]] GroundDrawing drawingOf(const World& world, const CellRect& cells);
 
+/// What a rock looks like, in cells from the origin of its body: a game draws it where that is, turned as it is.
+[[nodiscard]] std::vector<GroundDrawing::Fill> fillsOf(const Body& rock);
+
 /// Squares that look different since they were drawn.
 class ChangedSquares {
  public:

@@ -55,7 +55,11 @@ class GroundHost {
   /// Syncs the terrain. Who came back with the ground is put out of it, if it is another one than when it was disabled.
   void show(const Changes& changes) {
     const std::vector<BodyHandle> coming = std::exchange(coming_, {});
-    if (!terrain_.sync(changes, coming) && !(terrain_.isCurrent() && coming.empty())) terrain_.resync();
+    const bool isSynced = terrain_.sync(changes, coming).has_value();
+    if (!isSynced && terrain_.isCurrent() && coming.empty()) return;
+    if (!isSynced) terrain_.resync();
+    for (const Overlap& pushed : terrain_.overlaps())
+      if (isEnabled(pushed.body) && isAway(pushed.body)) setAway(pushed.body);
   }
   /// After a load: the terrain shows what there is now.
   void showAll() {
