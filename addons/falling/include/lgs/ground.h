@@ -29,7 +29,8 @@
 //     is loose when it comes in falls. Undo and redo go on over chunks that left and came back. New land ends the redo.
 //  5. A rock of more than GroundOptions::settleAtOnce polygons becomes ground in several frames. Until it is done its
 //     body stands still, whole; forEachRock() has what is not ground yet, and in a save all of it is ground.
-//  6. Bodies outside of the window are disabled, the game's too, and enabled when it is there again.
+//  6. Bodies outside of the window, by the cell of their centre of mass, are disabled, the game's too, and enabled when
+//     it is there again: then they are put out of ground that came to their places meanwhile.
 //
 // Costs: a stroke as of its edit, commit, the islands and the sync; an undo as of the strokes undone. A Ground stays
 // where it is, and so does what it is made with.
