@@ -22,6 +22,7 @@ Grid::Grid(const Grid& other)
       free_(other.free_),
       count_(other.count_),
       unloaded_(other.unloaded_),
+      unloadedRows_(other.unloadedRows_),
       index_(other.index_) {
   forEachChunk([this](Chunk& chunk) {
     for (Chunk*& beside : chunk.around)
@@ -120,6 +121,7 @@ void Grid::forget(std::uint32_t number) {
   if (border(number)) {
     borders_[number] = {};
     --unloaded_;
+    unloadedRows_.erase(ci, cj);
   }
   --count_;
   free_.push_back(number);
@@ -140,6 +142,7 @@ void Grid::unload(Chunk& chunk, Border border) {
   border.cj = chunk.cj;
   borders_[chunk.index] = Owned(std::make_unique<Border>(std::move(border)));
   ++unloaded_;
+  unloadedRows_.insert(chunk.ci, chunk.cj);
 }
 
 Border Grid::load(Chunk& chunk) {
@@ -147,6 +150,7 @@ Border Grid::load(Chunk& chunk) {
   Border border = std::move(*borders_[chunk.index]);
   borders_[chunk.index] = {};
   --unloaded_;
+  unloadedRows_.erase(chunk.ci, chunk.cj);
   chunk.isUnloaded = false;
   return border;
 }
@@ -163,6 +167,17 @@ void Grid::sleep(std::uint32_t number) {
   chunks_.drop(number);
 }
 
+std::optional<std::pair<std::int32_t, std::int32_t>> Grid::firstUnloaded(const CellRect& cells) const {
+  constexpr std::uint64_t kFew = 16;
+  const ChunkRect reach(cells);
+  if (unloaded_ == 0) return std::nullopt;
+  if (reach.count() > kFew) return unloadedRows_.first(reach);
+  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
+    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
+      if (border(numberAt(ci, cj))) return std::pair(ci, cj);
+  return std::nullopt;
+}
+
 bool Grid::hasLoadedBeside(const Border& border) const {
   for (std::int32_t dj = -1; dj <= 1; ++dj) {
     for (std::int32_t di = -1; di <= 1; ++di) {
@@ -174,7 +189,7 @@ bool Grid::hasLoadedBeside(const Border& border) const {
 }
 
 std::uint64_t Grid::bytes() const {
-  std::uint64_t sum = chunks_.bytes() + free_.capacity() * sizeof free_[0] + index_.bytes();
+  std::uint64_t sum = chunks_.bytes() + free_.capacity() * sizeof free_[0] + index_.bytes() + unloadedRows_.bytes();
   sum += borders_.capacity() * sizeof borders_[0];
   for (const Owned<Border>& border : borders_) sum += border ? border->bytes() : 0;
   forEachChunk([&](const Chunk& chunk) { sum += chunk.blocks ? kChunkCells * sizeof(Block) : 0; });

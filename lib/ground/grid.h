@@ -9,6 +9,7 @@
 
 #include "ground/border.h"
 #include "ground/chunk.h"
+#include "ground/chunk_rows.h"
 #include "storage/hash_index.h"
 #include "storage/owned.h"
 #include "storage/pages.h"
@@ -99,6 +100,8 @@ class Grid {
   /// Takes the Chunk of an unloaded one away. The border stays.
   void sleep(std::uint32_t number);
   bool hasLoadedBeside(const Border& border) const;
+  /// The first unloaded chunk with cells of a rectangle, by rows: its column and row of chunks.
+  std::optional<std::pair<std::int32_t, std::int32_t>> firstUnloaded(const CellRect& cells) const;
   /// Calls visit(number) for the unloaded chunks with cells of a rectangle, in no particular order.
   template <class Visit>
   void forEachUnloaded(const CellRect& cells, Visit&& visit) const {
@@ -188,6 +191,7 @@ class Grid {
   std::vector<std::uint32_t> free_;     ///< numbers, as a heap with the least first
   std::size_t count_ = 0;               ///< of numbers in use
   std::size_t unloaded_ = 0;
+  ChunkRows unloadedRows_;  ///< where they are
   HashIndex index_;
   // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so
   // what finds a cell there need not ask.

@@ -60,14 +60,13 @@ std::vector<std::uint32_t> Ground::chunksWithin(const CellRect& cells, bool areU
 }
 
 std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
-  std::optional<Cell> first;
-  grid.forEachUnloaded(cells, [&](std::uint32_t number) {
-    const Border& border = *grid.border(number);
-    const Cell here{std::max(border.ci * kChunkSize, cells.min.i), std::max(border.cj * kChunkSize, cells.min.j)};
-    if (!inRange(here)) return;  // of a chunk at the end of the world
-    if (!first || std::pair(here.j, here.i) < std::pair(first->j, first->i)) first = here;
-  });
-  return first;
+  // Chunks at the end of the world have cells that there are not.
+  const CellRect there{{std::max(cells.min.i, -kMaxCell), std::max(cells.min.j, -kMaxCell)},
+                       {std::min(cells.max.i, kMaxCell), std::min(cells.max.j, kMaxCell)}};
+  if (lgs::isEmpty(there)) return std::nullopt;
+  const auto chunk = grid.firstUnloaded(there);
+  if (!chunk) return std::nullopt;
+  return Cell{std::max(chunk->first * kChunkSize, there.min.i), std::max(chunk->second * kChunkSize, there.min.j)};
 }
 
 std::vector<std::uint32_t> Ground::forgetChunks(const CellRect& cells) {

@@ -1,8 +1,13 @@
 // Chunks that are unloaded, by hand: questions that would have to look there.
+#include "oracle/calls/random.h"
+#include "proptests/support/law.h"
 #include "proptests/support/must.h"
 #include "unloaded.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <set>
 
 namespace lgs::test {
 namespace {
@@ -81,6 +86,37 @@ TEST(UnloadedByHand, OfPlacesThatMayBeNearestTheFirstByRowsIsNamed) {
       EXPECT_EQ(world.nearest({16 * U + 1, 16 * U + 1}, 30).error().cell,
                 std::pair(a.j, a.i) < std::pair(b.j, b.i) ? a : b);
     }
+  }
+}
+
+/// Near each other, in one row, or anywhere.
+LGS_LAW(UnloadedFirst, IsTheFirstOfAllByRows, 300, (std::uint64_t seed)) {
+  oracle::Random random(seed);
+  const std::int32_t wide = std::array{2, 9, 200, 1 << 24}[random.below(std::size_t{4})];
+  const std::int32_t high = std::array{1, 9, 200, 1 << 24}[random.below(std::size_t{4})];
+  const auto chunk = [&] { return Cell{random.below(2 * wide + 1) - wide, random.below(2 * high + 1) - high}; };
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  std::set<std::pair<std::int32_t, std::int32_t>> away;  // by rows
+  for (int k = random.below(60); k > 0; --k) {
+    const auto [i, j] = chunk();
+    if (world.firstUnloaded(chunkAt(i, j))) {
+      if (random.chance(30) && world.reloadEmpty(chunkAt(i, j))) away.erase({j, i});
+    } else if (world.add({32 * i + random.below(32), 32 * j}, square, 1) && world.unload(chunkAt(i, j), {})) {
+      away.emplace(j, i);
+    }
+  }
+  for (int k = 0; k < 20; ++k) {
+    const Cell a = chunk(), b = chunk();
+    const std::int32_t in = random.below(32);
+    const CellRect cells{{32 * std::min(a.i, b.i) + in, 32 * std::min(a.j, b.j) + in},
+                         {32 * std::max(a.i, b.i) + 31, 32 * std::max(a.j, b.j) + 31}};
+    std::optional<Cell> first;
+    for (const auto& [j, i] : away)
+      if (!first && 32 * i + 31 >= cells.min.i && 32 * i <= cells.max.i && 32 * j + 31 >= cells.min.j &&
+          32 * j <= cells.max.j)
+        first = Cell{std::max(32 * i, cells.min.i), std::max(32 * j, cells.min.j)};
+    EXPECT_EQ(world.firstUnloaded(cells), first);
   }
 }
 

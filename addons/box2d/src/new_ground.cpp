@@ -26,6 +26,12 @@ int windingOf(const Line& line, Point p) {
   return isUp ? 1 : -1;
 }
 
+/// Clockwise, by so many quarters.
+Point turned(Point p, int quarters) {
+  for (; quarters > 0; --quarters) p = {p.y, -p.x};
+  return p;
+}
+
 bool isBeside(const Line& line, const Box& box) { return !overlap(boxOf(line.start, line.end), box); }
 
 Cell cellOf(DoublePoint p) {
@@ -73,11 +79,33 @@ std::vector<Box> NewGround::boxes() const {
   return boxes;
 }
 
-int NewGround::becameSolid(Point p) const {
-  int winding = 0;
-  for (const Piece& piece : came_) winding += windingOf(piece.line, p);
-  for (const Piece& piece : went_) winding -= windingOf(piece.line, p);
-  return winding;
+/// Whether a ray, by so many quarters from the right counter-clockwise, is in memory until it is beyond all that changed.
+bool NewGround::isKnown(Point p, int quarters) const {
+  const Cell cell = cellAt(p), min = cellOf({box_->min.x - 1, box_->min.y - 1}),
+             max = cellOf({box_->max.x + 1, box_->max.y + 1});
+  CellRect way{cell, cell};
+  if (quarters == 0) way.max.i = std::max(max.i, cell.i);
+  if (quarters == 1) way.max.j = std::max(max.j, cell.j);
+  if (quarters == 2) way.min.i = std::min(min.i, cell.i);
+  if (quarters == 3) way.min.j = std::min(min.j, cell.j);
+  return !world_.firstUnloaded(way);
+}
+
+// At the edge of memory the outline is open, and what is there is not told. So the ray is one that does not come there.
+// What leaves memory itself is told. Nothing, if there is no such ray.
+std::optional<int> NewGround::becameSolid(Point p) const {
+  const bool leaves = world_.at(p).where == Spot::Where::unloaded;
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    if (!leaves && !isKnown(p, quarters)) continue;
+    const auto windingIn = [&](const std::vector<Piece>& pieces) {
+      int winding = 0;
+      for (const auto& [line, block] : pieces)
+        winding += windingOf({turned(line.start, quarters), turned(line.end, quarters)}, turned(p, quarters));
+      return winding;
+    };
+    return windingIn(came_) - windingIn(went_);
+  }
+  return std::nullopt;
 }
 
 // What is not in memory has no block: it counts as ground for every body.
@@ -96,8 +124,9 @@ bool NewGround::wasFree(const Form& form) const {
   const auto wasFreeAt = [&](Point p) {
     const Spot spot = world_.at(p);
     if (spot.where == Spot::Where::edge) return false;
-    const int became = becameSolid(p);
-    return spot.where == Spot::Where::inside && form.holds(spot.block) ? became > 0 : became >= 0;
+    const std::optional<int> became = becameSolid(p);
+    if (!became) return true;
+    return spot.where == Spot::Where::inside && form.holds(spot.block) ? *became > 0 : *became >= 0;
   };
   if (world_.at(middle).where != Spot::Where::edge) return wasFreeAt(middle);
   const auto [x, y] = middle;

@@ -55,7 +55,8 @@ class NewGround {
 
  private:
   void add(std::vector<Piece>& list, const Piece& piece);
-  int becameSolid(Point p) const;  // 1 if it did, -1 if it became free; on no edge
+  bool isKnown(Point p, int turns) const;
+  std::optional<int> becameSolid(Point p) const;  // 1 if it did, -1 if it became free; on no edge
 
   const World& world_;
   std::vector<Piece> came_;

@@ -95,6 +95,12 @@ class Crowd {
   static bool areSame(Body a, Body b) { return a == b; }
   static bool isEnabled(Body body) { return body->IsEnabled(); }
   static bool isStatic(Body body) { return body->GetType() == b2_staticBody; }
+  static bool isAwake(Body body) { return body->IsAwake(); }
+  static bool touchesAnything(Body body) {
+    const b2ContactEdge* edge = body->GetContactList();
+    while (edge != nullptr && !edge->contact->IsTouching()) edge = edge->next;
+    return edge != nullptr;
+  }
   static void setEnabled(Body body, bool enabled) { body->SetEnabled(enabled); }
   static void kick(Body body, b2Vec2 velocity) {
     body->SetLinearVelocity(velocity);
@@ -173,6 +179,11 @@ class Crowd {
   static bool areSame(Body a, Body b) { return B2_ID_EQUALS(a, b); }
   static bool isEnabled(Body body) { return b2Body_IsEnabled(body); }
   static bool isStatic(Body body) { return b2Body_GetType(body) == b2_staticBody; }
+  static bool isAwake(Body body) { return b2Body_IsAwake(body); }
+  static bool touchesAnything(Body body) {
+    std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(body)));
+    return b2Body_GetContactData(body, contacts.data(), static_cast<int>(contacts.size())) > 0;
+  }
   static void setEnabled(Body body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
   static void kick(Body body, b2Vec2 velocity) {
     b2Body_SetLinearVelocity(body, velocity);

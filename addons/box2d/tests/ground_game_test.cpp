@@ -233,11 +233,17 @@ class GroundGame {
     Crowd::kick(body, {static_cast<float>(random_.below(40) - 20), static_cast<float>(random_.below(40) - 20)});
   }
 
+  /// What one rested on is gone, or it never rested: then it falls.
+  static bool sleepsInTheAir(Body body) {
+    return Crowd::isEnabled(body) && !Crowd::isStatic(body) && !Crowd::isAwake(body) && !Crowd::touchesAnything(body);
+  }
+
   void look(const char* when) {
     for (std::size_t k = 0; k < crowd_.bodies.size(); ++k) {
       const Body body = crowd_.bodies[k];
       Watched& watched = watched_[k];
       const bool isEnabled = Crowd::isEnabled(body);
+      EXPECT_FALSE(sleepsInTheAir(body)) << when << ": body " << k << " sleeps in the air";
       EXPECT_FALSE(watched.isOff && isEnabled) << when << ": a body that the game keeps switched off is on";
       const Crowd::Position at = Crowd::positionOf(body);
       const Spot::Where where = ground_->world().at(terrain().latticePoint(at)).where;
@@ -262,9 +268,12 @@ class GroundGame {
       const bool isInside = std::ranges::any_of(Crowd::middlesOf(rock), isIn), isEnabled = Crowd::isEnabled(rock);
       const auto found = std::ranges::find_if(rocks_, [&](const auto& one) { return Crowd::areSame(one.first, rock); });
       const bool wasFree = found != rocks_.end() && found->second;
+      EXPECT_FALSE(sleepsInTheAir(rock)) << when << ": a rock sleeps in the air";
       EXPECT_FALSE(isEnabled && isInside && wasFree) << when << ": a rock is in the ground";
-      // New ground may have pushed it there; the next step finds that.
-      EXPECT_FALSE(isEnabled && when != kAfterTurn && whereIs(box2d::middleOfMass(rock)) == Spot::Where::unloaded)
+      // New ground may have pushed it there; the next step finds that. Who is on the very edge of memory is in the cell to
+      // the right of it, or above.
+      const Cell cell = terrain().cellAt(box2d::middleOfMass(rock));
+      EXPECT_FALSE(isEnabled && when != kAfterTurn && ground_->world().firstUnloaded({cell, cell}))
           << when << ": a rock goes on where no ground is in memory";
       EXPECT_TRUE(std::ranges::none_of(now, [&](const auto& one) { return Crowd::areSame(one.first, rock); }))
           << when << ": two rocks are one body";

@@ -29,6 +29,10 @@ class GroundOfBox2d : public EitherBox2d {
   void play(int steps) {
     for (int k = 0; k < steps; ++k) ground.step([&] { step(1); });
   }
+  void expectFree(Body body) {
+    const Spot::Where where = ground.world().at(ground.host().terrain().latticePoint(positionOf(body))).where;
+    EXPECT_TRUE(where == Spot::Where::outside || !Crowd::isEnabled(body)) << "it is in the ground";
+  }
   std::size_t rocks() const {
     std::size_t count = 0;
     ground.forEachRock([&](auto, const auto&) { ++count; });
@@ -55,6 +59,17 @@ TEST_F(GroundOfBox2d, WhatIsCutOffFallsRestsAndIsGroundUntilItIsUndone) {
   EXPECT_EQ(rocks(), 0U);
   ASSERT_TRUE(ground.undo());
   EXPECT_EQ(rocks(), 1U) << "what settled since lies there as a body";
+}
+
+TEST_F(GroundOfBox2d, WhileThereIsSomethingToRedoNothingSettles) {
+  ASSERT_TRUE(ground.edit([](World& world) { return world.clear(Cell{1, 6}); }));
+  ASSERT_TRUE(ground.place({-5, 0}, kUnitSquare, 1));
+  ASSERT_TRUE(ground.undo());
+  play(300);
+  EXPECT_EQ(rocks(), 1U);
+  ASSERT_TRUE(ground.redo());
+  play(300);
+  EXPECT_EQ(rocks(), 0U);
 }
 
 TEST_F(GroundOfBox2d, ARockThatTheGameDestroysIsNotTheNextBodyAtItsAddress) {
@@ -109,6 +124,30 @@ TEST_F(GroundOfBox2d, BodiesWaitWhereTheirGroundIsNotInMemory) {
   EXPECT_TRUE(ground.host().away().empty());
   play(60);
   EXPECT_GT(positionOf(ball).y, 0.3F) << "it lies on the floor again";
+}
+
+/// The outline is open at the edge of memory: nothing there says that what lies to the left of it became solid.
+TEST_F(GroundOfBox2d, WhoWaitedIsPutOutOfGroundThatCameThereMeanwhile) {
+  const CellRect rock{{33, 5}, {80, 20}};
+  ASSERT_TRUE(ground.edit([&](World& world) { return world.fill(rock, world.shape(kUnitSquare).value(), kBedrock); }));
+  ASSERT_TRUE(ground.edit([&](World& world) { return world.clear(rock); }));
+  const auto ball = addBody({40.5F, 12.5F}, Form::ball, 0.6F);
+  ASSERT_TRUE(ground.window({{-64, -32}, {31, 31}}));
+  ASSERT_TRUE(ground.undo());
+  ASSERT_TRUE(ground.window({{-64, -32}, {63, 31}}));
+  expectFree(ball);
+}
+
+TEST_F(GroundOfBox2d, GroundThatIsPaintedUpToTheEdgeOfMemoryBuriesNobody) {
+  const auto fill = [&](const CellRect& cells) {
+    return ground.edit([&](World& world) { return world.fill(cells, world.shape(kUnitSquare).value(), kBedrock); });
+  };
+  ASSERT_TRUE(fill({{32, 5}, {40, 20}}));
+  const auto ball = addBody({20.5F, 12.5F}, Form::ball, 0.6F);
+  ASSERT_TRUE(ground.window({{-64, -32}, {31, 31}}));
+  ASSERT_TRUE(fill({{15, 5}, {31, 20}}));
+  expectFree(ball);
+  EXPECT_TRUE(Crowd::isEnabled(ball)) << "there is a way out";
 }
 
 TEST_F(GroundOfBox2d, ARockInTheAirIsSavedAndLoaded) {

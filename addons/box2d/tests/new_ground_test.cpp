@@ -3,6 +3,7 @@
 #include "addons/box2d/src/way_out.h"
 #include "distances.h"
 #include "field.h"
+#include "oracle/calls/random.h"
 #include "played.h"
 #include "proptests/support/must.h"
 
@@ -59,6 +60,43 @@ LGS_LAW(Box2dNewGround, WasFreeIsWhatTheOldWorldSays, 150, (const Edits& trace, 
     }
     before = player.world();
   });
+}
+
+/// At the edge of memory the outline is open, and edges beyond it come and go untold.
+LGS_LAW(Box2dNewGround, WhoWasFreeBesideUnloadedGroundIsKnown, 100, (std::uint64_t seed)) {
+  oracle::Random random(seed);
+  constexpr std::int32_t kSide = 96;  // 3 chunks
+  World world;
+  EdgeSet set(box2d::EdgeOptions{.merge = random.chance(50)});
+  set.load(world);
+  const auto edit = [&] {
+    const Cell a{random.below(kSide), random.below(kSide)};
+    const CellRect cells{a, {std::min(a.i + random.below(40), kSide - 1), std::min(a.j + random.below(40), kSide - 1)}};
+    if (world.clear(cells) && random.chance(60))
+      static_cast<void>(world.fill(cells, world.shape(kUnitSquare).value(), 1));
+  };
+  const auto commit = [&](const World& before) {
+    const Changes& changes = world.commit();
+    const NewGround ground(world, set, changes);
+    for (int k = 0; k < 60; ++k) {
+      const box2d::Form form = ballAt(random.below(kSide) + 0.5, random.below(kSide) + 0.5, 0.3);
+      const Point p = latticePoint({form.middle.x / U, form.middle.y / U});
+      const bool isBuried = before.at(p).where == Spot::Where::outside && world.at(p).where == Spot::Where::inside;
+      EXPECT_TRUE(!isBuried || ground.wasFree(form)) << p.x / U << ' ' << p.y / U;
+    }
+    set.update(world, changes);
+  };
+  for (int k = 0; k < 12; ++k) edit();
+  commit(World());
+  for (std::int32_t j = 0; j < kSide; j += 32)
+    for (std::int32_t i = 0; i < kSide; i += 32)
+      if (random.chance(50)) static_cast<void>(world.unload({{i, j}, {i + 31, j + 31}}, {}));
+  set.update(world, world.commit());
+  for (int k = 0; k < 6; ++k) {
+    const World before = world;
+    for (int n = random.below(3); n >= 0; --n) edit();
+    commit(before);
+  }
 }
 
 double depthOf(const box2d::Form& form, DoublePoint p) {

@@ -1,5 +1,7 @@
 #include "by_block.h"
 
+#include <lgs/ground_window.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -34,6 +36,15 @@ std::vector<Block> blocksOf(const Body& body) {
   std::ranges::sort(blocks);
   blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   return blocks;
+}
+
+CellRect cellsOf(const Body& body) {
+  std::optional<CellRect> cells;
+  for (const BodyPolygon& p : body.polygons) {
+    const Cell at{body.origin.i + p.cell.i, body.origin.j + p.cell.j};
+    cells = cells ? boxOf(*cells, {at, at}) : CellRect{at, at};
+  }
+  return cells.value_or(CellRect{body.origin, body.origin});
 }
 
 Expected<World> worldOf(const Body& body, Block block) {

@@ -11,6 +11,9 @@ namespace lgs::detail {
 /// The blocks of a body, each once, by number.
 std::vector<Block> blocksOf(const Body& body);
 
+/// The cells that it was in.
+CellRect cellsOf(const Body& body);
+
 /// The polygons that have a block, committed: the origin of the body is the corner of cell (0, 0).
 Expected<World> worldOf(const Body& body, Block block);
 

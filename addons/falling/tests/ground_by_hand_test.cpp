@@ -133,6 +133,18 @@ TEST(GroundByHand, ARockIsNeverSettledInPart) {
   EXPECT_FALSE(ground.settle(0)) << "no rock";
 }
 
+TEST(GroundByHand, ARockIsDrawnFromTheOriginOfItsBody) {
+  Ground<> ground({.isAnchor = options().isAnchor});
+  ASSERT_TRUE(ground.place({7, -3}, kUnitSquare, kStone));
+  std::vector<GroundDrawing::Fill> fills;
+  ground.forEachRock([&](NoPhysics::Handle, const Body& rock) { fills = fillsOf(rock); });
+  ASSERT_EQ(fills.size(), 1U);
+  EXPECT_EQ(fills[0].block, kStone);
+  ASSERT_EQ(fills[0].corners.size(), 4U);
+  EXPECT_EQ(fills[0].corners[2].x, 1);
+  EXPECT_EQ(fills[0].corners[2].y, 1);
+}
+
 TEST(GroundByHand, DrawsWhatChanged) {
   Ground<> ground({});
   ASSERT_TRUE(ground.place({3, 4}, kUnitSquare, kStone));

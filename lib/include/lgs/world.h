@@ -291,8 +291,8 @@ class World {
   /// these chunks, and of each to what is kept for a roll-back.
   [[nodiscard]] Expected<std::uint64_t> reloadEmpty(const CellRect& cells) noexcept;
 
-  /// The first cell of a rectangle that is unloaded, by rows from `min`; nothing if none is. Cost: in proportion to the
-  /// chunks in the rectangle or in the world, whichever are fewer.
+  /// The first cell of a rectangle that is unloaded, by rows from `min`; nothing if none is. Cost: O(log n), and for
+  /// each row of chunks of the rectangle up to there, of those that have unloaded ones.
   std::optional<Cell> firstUnloaded(const CellRect& cells) const noexcept;
 
   // --- Following the ground -----------------------------------------------------------------------------------------

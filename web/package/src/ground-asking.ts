@@ -1,9 +1,11 @@
 // The functions of a game that a Ground asks: its land, its shelf, its materials, who follows it. One that throws does not
 // stop a change half way: what stands in its place is said where it is asked, the call ends, and then throws it.
-import { bad } from './check.js'
+import { atOnce, bad } from './check.js'
+import { preserveFailed } from './engine.js'
 import { LgsError } from './error.js'
 import { keyOf, shelfInMemory } from './ground-parts.js'
 import type { Shelf } from './ground-types.js'
+import type { WorldOptions } from './types.js'
 
 export class Asking {
   #isChanging = false
@@ -43,6 +45,20 @@ export class Asking {
     if (typeof own !== 'function') return options
     return { ...options, [name]: (...told: unknown[]) => this.ask(() => check(own.apply(options, told)), otherwise) }
   }
+}
+
+/** A pair of blocks for which it throws is cancelled, also in what is saved, and loaded again. */
+export function preserving(asking: Asking, preserve: NonNullable<WorldOptions['preserve']>): NonNullable<WorldOptions['preserve']> {
+  const cancelled = new Set<string>()
+  return (smaller, greater) => asking.ask(() => {
+    if (cancelled.has(`${smaller} ${greater}`)) return false
+    try {
+      return atOnce('what preserve() gives', 'true or false', preserve(smaller, greater))
+    } catch (cause) {
+      cancelled.add(`${smaller} ${greater}`)
+      throw preserveFailed(cause)
+    }
+  }, false)
 }
 
 /** A shelf that takes everything: what the game's does not take is kept until it does. */

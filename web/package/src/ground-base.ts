@@ -11,33 +11,18 @@
 //  6. A call that is refused has changed nothing, and one that is not is done, also where a function of the game throws that
 //     it asks (ground-asking.ts). None of these, and no listener of contacts, can change the ground meanwhile.
 import { atOnce, bad, options as known, within } from './check.js'
-import { preserveFailed } from './engine.js'
 import { LgsError } from './error.js'
-import { Asking } from './ground-asking.js'
+import { Asking, preserving } from './ground-asking.js'
 import { ChangedSquares, everywhere, loadedGround, savedGround } from './ground-parts.js'
-import type { GroundDrawing, GroundOptions, Host, Motion, Rock } from './ground-types.js'
+import { GroundRocks, type Tries } from './ground-rocks.js'
+import type { GroundDrawing, GroundOptions, Host, Rock } from './ground-types.js'
 import { GroundWindow } from './ground-window.js'
 import { inspect, shown } from './inspect.js'
 import { Islands, refuseInTry } from './island-view.js'
-import type { GroundBody } from './island-types.js'
 import { circle } from './regions.js'
 import type { Block, CellRect, Changes, Mark, Region, Vertices, World, WorldOptions } from './types.js'
 import { createWorld, group } from './world.js'
 
-/** A rock, and between which marks it is one: it was taken in the stretch after the mark `took`. */
-interface Fallen<Body> {
-  readonly ground: GroundBody
-  motion: Motion
-  body: Body | null
-  took: number
-  settled: number
-  isInAir: boolean
-  /** How often it did not become ground at rest, or nothing held it then; and the step before which it does not try. */
-  tries: number
-  until: number
-}
-
-const atRest = ({ i, j }: GroundBody): Motion => ({ x: i, y: j, angle: 0, vx: 0, vy: 0, spin: 0 })
 const names = ['anchors', 'atEdge', 'preserve', 'land', 'shelf', 'chunksAtOnce', 'undoSteps', 'follow'] as const
 
 export abstract class GroundBase<Body> {
@@ -48,12 +33,10 @@ export abstract class GroundBase<Body> {
   #world: World
   #islands: Islands
   #host: Host<Body> | null = null
+  #rocks!: GroundRocks<Body> // of now, and of what can be undone or redone
   #marks: Mark[] = []        // after each stroke; those behind #now are ahead
   #oldest = 0                // the number of the first mark,
   #now = 0                   // and of that at or after which the world is
-  #fallen: Fallen<Body>[] = [] // rocks, of now and of what can be undone or redone
-  #steps = 0                 // how often rocks could settle
-  #next = 0                  // which of them looks first whether it can settle
   #looksAtAll = false        // something may hang in the air that no update will name
   readonly #window: GroundWindow
   readonly #squares = new ChangedSquares()
@@ -63,7 +46,7 @@ export abstract class GroundBase<Body> {
     const { anchors, atEdge, preserve, undoSteps = 64, follow } = known('options', names, options)
     if (follow !== undefined && typeof follow !== 'function') throw bad('follow', 'a function', follow)
     this.#options = { ...(anchors && { anchors }), ...(atEdge && { atEdge }), ...(follow && { follow }) }
-    this.#ofWorld = typeof preserve === 'function' ? { preserve: this.#preserving(preserve) } : preserve === undefined ? {} : { preserve }
+    this.#ofWorld = typeof preserve === 'function' ? { preserve: preserving(this.asking, preserve) } : preserve === undefined ? {} : { preserve }
     this.#window = new GroundWindow(options, this.#ofWorld, this.asking)
     this.#undoSteps = within('undoSteps', undoSteps, 0, 1e6)
     this.#world = createWorld(this.#ofWorld)
@@ -80,24 +63,12 @@ export abstract class GroundBase<Body> {
   protected start(make: () => Host<Body>): void {
     try {
       this.#host = make()
+      this.#rocks = new GroundRocks(this.#host)
     } catch (error) {
       this.#islands.free()
       this.#world.free()
       throw error
     }
-  }
-
-  #preserving(preserve: NonNullable<WorldOptions['preserve']>): NonNullable<WorldOptions['preserve']> {
-    const cancelled = new Set<string>()  // also in what is saved, and loaded again
-    return (smaller, greater) => this.asking.ask(() => {
-      if (cancelled.has(`${smaller} ${greater}`)) return false
-      try {
-        return atOnce('what preserve() gives', 'true or false', preserve(smaller, greater))
-      } catch (cause) {
-        cancelled.add(`${smaller} ${greater}`)
-        throw preserveFailed(cause)
-      }
-    }, false)
   }
 
   get #live(): Host<Body> {
@@ -111,17 +82,10 @@ export abstract class GroundBase<Body> {
       host.refuseInStep()
       refuseInTry(this.#islands)
       return host.whole(() => {
-        this.#dropGone()
+        this.#rocks.dropGone()
         return change(host)
       })
     })
-  }
-  /** What the game destroyed is not ground any more. */
-  #dropGone(): void {
-    if (!this.#fallen.some(({ body }) => body !== null)) return
-    const host = this.#live, isThere = host.living()
-    for (const { body } of this.#fallen) if (body !== null && !isThere(body)) host.forget(body)
-    this.#fallen = this.#fallen.filter(({ body }) => body === null || isThere(body))
   }
 
   // --- Strokes
@@ -165,13 +129,9 @@ export abstract class GroundBase<Body> {
   /** Whether there is one to make again. */
   get canRedo(): boolean { return this.#now + 1 < this.#oldest + this.#marks.length }
   /** Takes the last stroke back, and what fell or settled since. Whether there was one. */
-  undo(): boolean {
-    return this.#during(() => this.canUndo && this.#go(this.#now - 1))
-  }
+  undo(): boolean { return this.#during(() => this.canUndo && this.#go(this.#now - 1)) }
   /** Makes it again. Whether there was one. */
-  redo(): boolean {
-    return this.#during(() => this.canRedo && this.#go(this.#now + 1))
-  }
+  redo(): boolean { return this.#during(() => this.canRedo && this.#go(this.#now + 1)) }
   /** Releases all steps of undo, as after the game built a level. */
   forgetUndo(): void {
     this.#during(() => {
@@ -186,8 +146,8 @@ export abstract class GroundBase<Body> {
   step(dt: number): void {
     this.#during((host) => {
       host.step(within('dt', dt, 0, 1e9))
-      this.#dropGone()
-      if (!this.canRedo) this.#settleNext()
+      this.#rocks.dropGone()
+      if (!this.canRedo) this.#becameGround(this.#rocks.settleNext(this.#now))
     })
   }
 
@@ -214,7 +174,7 @@ export abstract class GroundBase<Body> {
   /** Where nothing else has happened since the last mark, it is made anew behind the land: so undo does not take that away. */
   #keepLand(): void {
     const now = this.#now
-    if (!this.#window.hasNew(now) || this.#fallen.some(({ took, settled }) => took === now || settled === now)) return
+    if (!this.#window.hasNew(now) || this.#rocks.anyOf(now)) return
     const mark = this.#marks.pop()!
     this.#marks.push(this.#world.mark())
     this.#world.forget(mark)
@@ -227,10 +187,7 @@ export abstract class GroundBase<Body> {
   /** All ground, in memory or on the shelf, and all rocks; no steps of undo. Refused as 'unloaded', if the shelf does not
    *  give a chunk. The bytes are those of lgs::Ground in C++. */
   save(): Uint8Array {
-    return this.#during((host) => {
-      const rocks = this.#inAir().map(({ ground, motion, body }) => ({ ground, motion: body === null ? motion : host.motionOf(body) }))
-      return savedGround(this.#world, this.#window.shelf, rocks, this.#window.land)
-    })
+    return this.#during(() => savedGround(this.#world, this.#window.shelf, this.#rocks.values(), this.#window.land))
   }
 
   /** What was saved takes the place of all that is there. What hangs in the air falls. Throws 'not-a-snapshot', and nothing
@@ -243,7 +200,7 @@ export abstract class GroundBase<Body> {
     void this.#world.version  // refused where the engine has ended
     const { world, rocks, land, away } = loadedGround(saved, this.#window.cells, this.#ofWorld)
     world.commit()
-    for (const each of this.#inAir()) this.#destroy(each)
+    this.#rocks.destroyAll()
     const old = this.#world, oldIslands = this.#islands
     this.#world = world
     this.#islands = new Islands(world, this.#options.anchors, this.#options.atEdge)
@@ -256,8 +213,8 @@ export abstract class GroundBase<Body> {
     this.hold(world, this.#islands)
     oldIslands.free()
     old.free()
-    this.#fallen = rocks.map(({ ground, motion }) => this.#rockOf(ground, motion, -1))
-    for (const each of this.#fallen) this.#make(each)
+    for (const { ground, motion } of rocks) this.#rocks.add(ground, -1, undefined, motion)
+    this.#rocks.makeFrom(0)
     this.#looksAtAll = true
     this.#commit()
   }
@@ -275,31 +232,18 @@ export abstract class GroundBase<Body> {
 
   /** The rocks in the air, as they lie now. */
   rocks(): Rock<Body>[] {
-    const host = this.#live
-    this.#dropGone()
-    return this.#inAir().map(({ ground, body, motion }) => ({ ground, body, ...(body === null ? motion : host.motionOf(body)) }))
+    void this.#live
+    this.#rocks.dropGone()
+    return this.#rocks.values()
   }
 
   /** Puts a rock into the ground now, as it lies. False, and nothing has changed, where it does not fit. */
   settle(body: Body): boolean {
-    return this.#during(() => {
-      const rock = this.#find(body)
-      if (rock.body === null) throw bad('body', 'a body: this rock is too thin for one,', body)
-      return this.#settle(rock)
-    })
+    return this.#during(() => this.#becameGround(this.#rocks.settle(body, this.#now)))
   }
   /** For a rock whose body the game destroyed, or keeps: it is not the ground's any more. */
   forget(body: Body): void {
-    this.#during((host) => {
-      const found = this.#find(body)
-      this.#fallen = this.#fallen.filter((each) => each !== found)
-      host.forget(body)
-    })
-  }
-  #find(body: Body): Fallen<Body> {
-    const found = this.#inAir().find((each) => each.body === body)
-    if (found === undefined) throw bad('body', 'one of rocks()', body)
-    return found
+    this.#during(() => this.#rocks.forget(body))
   }
 
   /** For questions: to edit or commit it goes around this object. load() makes another one. */
@@ -311,18 +255,17 @@ export abstract class GroundBase<Body> {
   free(): void {
     if (this.#host === null) return
     this.#during((host) => {
-      for (const each of this.#inAir()) this.#destroy(each)
+      this.#rocks.destroyAll()
       host.free()
       this.#islands.free()
       this.#world.free()
-      this.#fallen = []
       this.#host = null
     })
   }
   [Symbol.dispose](): void { this.free() }
   [inspect](): unknown {
     if (this.#host === null) return shown('Ground', { freed: true })
-    return shown('Ground', { world: this.#world, rocks: this.#inAir().length, canUndo: this.canUndo, canRedo: this.canRedo })
+    return shown('Ground', { world: this.#world, rocks: this.#rocks.values().length, canUndo: this.canUndo, canRedo: this.canRedo })
   }
 
   // --- Commits
@@ -334,68 +277,32 @@ export abstract class GroundBase<Body> {
     this.asking.ask(() => this.#options.follow?.(this.#world, changes), undefined)
   }
 
-  /** With what falls by it. */
-  #commit(): void {
+  /** With what falls by it, which has tried so often to become ground. */
+  #commit(tries?: Tries): void {
     this.#show(this.#world.commit())
-    const before = this.#fallen.length
-    while (this.#takeLoose()) this.#show(this.#world.commit())
-    for (const each of this.#fallen.slice(before)) this.#make(each)
+    const before = this.#rocks.count
+    while (this.#takeLoose(tries)) this.#show(this.#world.commit())
+    this.#rocks.makeFrom(before)
   }
 
-  #takeLoose(): boolean {
+  #takeLoose(tries?: Tries): boolean {
     if (!this.#options.anchors) return false
     if (this.canRedo) {
       this.#looksAtAll = true
       return false
     }
-    const ids = this.#looksAtAll ? this.#islands.all() : this.#islands.loose(), before = this.#fallen.length
+    const ids = this.#looksAtAll ? this.#islands.all() : this.#islands.loose(), before = this.#rocks.count
     this.#looksAtAll = false
     for (const id of ids)
-      if (this.#islands.island(id)?.anchors === 0) {
-        const ground = this.#islands.take(id)
-        this.#fallen.push(this.#rockOf(ground, atRest(ground), this.#now))
-      }
-    return this.#fallen.length !== before
+      if (this.#islands.island(id)?.anchors === 0) this.#rocks.add(this.#islands.take(id), this.#now, tries)
+    return this.#rocks.count !== before
   }
 
-  #rockOf(ground: GroundBody, motion: Motion, took: number): Fallen<Body> {
-    return { ground, motion, body: null, took, settled: Infinity, isInAir: true, tries: 0, until: 0 }
-  }
-  #inAir(): Fallen<Body>[] { return this.#fallen.filter(({ isInAir }) => isInAir) }
-  #make(each: Fallen<Body>): void {
-    each.body = this.#live.make(each.ground, each.motion)
-    each.isInAir = true
-  }
-  #destroy({ body }: Fallen<Body>): void { if (body !== null) this.#live.destroy(body) }
-
-  // --- Settling
-
-  /** The rocks in turn. One that does not fit, or would fall again, tries again later and later. */
-  #settleNext(): void {
-    ++this.#steps
-    for (let k = Math.min(this.#fallen.length, 16); k > 0; --k) {
-      const each = this.#fallen[this.#next++ % this.#fallen.length]!
-      if (!each.isInAir || each.body === null || this.#steps < each.until || !this.#live.rests(each.body)) continue
-      each.until = this.#steps + 60 * 2 ** Math.min(each.tries++, 6)
-      this.#settle(each, true)
-      return
-    }
-  }
-
-  /** By itself it does not where a brush is refused, as in a cell that is full to its limits. */
-  #settle(each: Fallen<Body>, isByItself = false): boolean {
-    const { tries, until } = each, { x, y, angle } = this.#live.motionOf(each.body!)
-    try {
-      if (!this.#live.settle(each.body!, each.ground)) return false
-    } catch (error) {
-      if (!isByItself || !(error instanceof LgsError) || error.code === 'out-of-memory' || error.code === 'crashed') throw error
-      return false
-    }
-    Object.assign(each, { body: null, isInAir: false, settled: this.#now, motion: { x, y, angle, vx: 0, vy: 0, spin: 0 } })
+  /** Whether one did. */
+  #becameGround(tries: Tries | null): boolean {
+    if (tries === null) return false
     this.#dropFuture()
-    const before = this.#fallen.length
-    this.#commit()
-    for (const again of this.#fallen.slice(before)) Object.assign(again, { tries, until })  // it would fall again
+    this.#commit(tries)
     return true
   }
 
@@ -405,17 +312,10 @@ export abstract class GroundBase<Body> {
     const mark = this.#marks[to - this.#oldest]!
     const changes = to < this.#now ? this.#world.rollBack(mark, 'keep') : this.#world.redo(mark)
     this.#now = to
-    const isThere = ({ took, settled }: Fallen<Body>) => took < to && settled >= to
-    for (const each of this.#fallen) {
-      if (!each.isInAir || isThere(each)) continue
-      this.#destroy(each)
-      each.body = null
-      each.isInAir = false
-      if (each.took >= to) each.motion = atRest(each.ground)
-    }
+    this.#rocks.leave(to)
     if (this.#window.cells !== everywhere) this.#looksAtAll = true  // what held something may have left or come in since
     this.#show(changes)
-    for (const each of this.#fallen) if (!each.isInAir && isThere(each)) this.#make(each)
+    this.#rocks.comeBack(to)
     if (this.#window.remakeLand(this.#world, to, this.#dropFuture)) {
       this.#commit()
       this.#keepLand()
@@ -428,8 +328,7 @@ export abstract class GroundBase<Body> {
   /** Before an edit is kept: what was undone can not come back, and what was made again stays. */
   readonly #dropFuture = (): void => {
     this.#marks.length = this.#now - this.#oldest + 1
-    this.#fallen = this.#fallen.filter(({ isInAir, took }) => isInAir || took < this.#now)
-    for (const each of this.#fallen) if (each.isInAir) each.settled = Infinity
+    this.#rocks.dropFuture(this.#now)
   }
 
   #mark(): void {
@@ -441,7 +340,7 @@ export abstract class GroundBase<Body> {
   #forgetOldest(): void {
     this.#world.forget(this.#marks.shift()!)
     ++this.#oldest
-    this.#fallen = this.#fallen.filter(({ isInAir, settled }) => isInAir || settled >= this.#oldest)
+    this.#rocks.forgetBefore(this.#oldest)
     this.#window.forgetBefore(this.#oldest)
   }
 }

@@ -38,12 +38,12 @@ export function shelfInMemory(): Shelf {
 
 // --- Bytes: those of lgs::Ground in C++
 
-type Value = { readonly ground: GroundBody; readonly motion: Motion }
+type Value = Readonly<Motion> & { readonly ground: GroundBody }
 export type Corner = { readonly i: number; readonly j: number }
 
 export interface Loaded {
   readonly world: World
-  readonly rocks: Value[]
+  readonly rocks: { readonly ground: GroundBody; readonly motion: Motion }[]
   readonly land: Corner[]
   /** What is out of the window. */
   readonly away: (Corner & { readonly bytes: Uint8Array })[]
@@ -62,8 +62,8 @@ export function savedGround(world: World, shelf: Shelf, rocks: readonly Value[],
   const numbers = [land.length]
   for (const { i, j } of land) numbers.push(i, j)
   numbers.push(rocks.length)
-  for (const { ground, motion } of rocks) {
-    const { x, y, angle, vx, vy, spin } = motion, polygons = numbersOf(ground.polygons)
+  for (const { ground, x, y, angle, vx, vy, spin } of rocks) {
+    const polygons = numbersOf(ground.polygons)
     for (const [name, value] of Object.entries({ x, y, angle, vx, vy, spin })) finite(`${name} of a rock`, value)
     numbers.push(x, y, Math.cos(angle), Math.sin(angle), vx, vy, spin, ground.i, ground.j, polygons.length)
     for (const number of polygons) numbers.push(number)
@@ -92,7 +92,7 @@ export function loadedGround(saved: Uint8Array, window: CellRect, options: World
   }, options)
   const { engine } = placeOf(world), [count, size] = engine.answer(2) as unknown as [number, number]
   const n = engine.answer(count).slice(), bytes = engine.answerBytes(size)
-  const land: Corner[] = [], rocks: Value[] = [], away: Loaded['away'] = []
+  const land: Corner[] = [], rocks: Loaded['rocks'] = [], away: Loaded['away'] = []
   let at = 2
   for (let left = n[at++]!; left > 0; --left) land.push({ i: n[at++]!, j: n[at++]! })
   for (let left = n[at++]!; left > 0; --left) {

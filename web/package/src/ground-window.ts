@@ -159,7 +159,8 @@ export class GroundWindow {
   /** False where some are still away, as the shelf did not give one or there are more. */
   #reload(world: World, most: { left: number }, cells = this.cells): boolean {
     const down = (index: number) => Math.max(index & ~31, -farthest)
-    for (let cell = world.firstUnloaded(cells); cell; cell = world.firstUnloaded(cells)) {
+    // By rows: none is looked through again that all came back to.
+    for (let cell = world.firstUnloaded(cells); cell; cell = world.firstUnloaded({ ...cells, j0: cell.j })) {
       if (most.left-- < 1) return false
       const bytes = this.shelf.get(down(cell.i), down(cell.j))
       if (!bytes || !isReloaded(world, bytes)) return false

@@ -47,6 +47,7 @@ class InPlanck implements Host<Body> {
   #world: World
   #isWhole = true // whether all of the window is in memory
   #away = new Set<Body>() // out of the window, and disabled
+  #coming: Body[] = []    // enabled since the last sync
 
   constructor(physics: Physics, world: World, islands: Islands, terrain: TerrainOptions, falling: FallingOptions, asking: Asking) {
     const isMaterial = (material: object) => object('what material() gives', 'an object', material)
@@ -75,7 +76,13 @@ class InPlanck implements Host<Body> {
     const all = this.#all()
     return (body) => all.has(body)
   }
-  show(changes: Changes): void { this.terrain.sync(changes) }
+  /** Who came back is put out of the ground, if that came there since it was disabled. */
+  show(changes: Changes): void {
+    const coming = this.#coming
+    this.#coming = []
+    this.terrain.sync(changes)
+    if (coming.some((body) => body.isActive() && this.#whereIs(body) !== 'outside')) this.terrain.resync()
+  }
 
   make(ground: GroundBody, { x, y, angle, vx, vy, spin }: Motion): Body | null {
     const body = this.#falling.make(ground, { x, y, angle })?.body ?? null, { cellSize } = this.terrain
@@ -98,7 +105,7 @@ class InPlanck implements Host<Body> {
     this.#physics.destroyBody(body)
   }
 
-  /** Bodies come back before the ground that they were in is new: so law 13 holds for them. */
+  /** Bodies come back before the sync. */
   window(cells: CellRect, isWhole: boolean): void {
     this.#window = cells
     this.#isWhole = isWhole
@@ -109,6 +116,7 @@ class InPlanck implements Host<Body> {
       if (!all.has(body)) continue
       body.setActive(true)
       this.terrain.moved(body)
+      this.#coming.push(body)
     }
     this.#disableAway()
   }
@@ -130,9 +138,13 @@ class InPlanck implements Host<Body> {
     for (let body = this.#physics.getBodyList(); body; body = body.getNext()) bodies.add(body)
     return bodies
   }
+  #whereIs(body: Body): string {
+    const { x, y } = this.terrain.point(body.getWorldCenter())
+    return this.#world.at(x, y).where
+  }
   #isAway(body: Body): boolean {
     const { x, y } = this.terrain.point(body.getWorldCenter())
-    return !contains(this.#window, x, y) || (!this.#isWhole && this.#world.at(x, y).where === 'unloaded')
+    return !contains(this.#window, x, y) || (!this.#isWhole && this.#whereIs(body) === 'unloaded')
   }
   #disableAway(): void {
     if (this.#window === everywhere) return

@@ -275,6 +275,21 @@ test('bodies wait where their ground is not in memory', () => {
   ground.free()
 })
 
+test('who waited is put out of ground that came there meanwhile', () => {
+  const { physics, ground } = withPlanck(), rock = { i0: 33, j0: 5, i1: 80, j1: 20 }
+  ground.edit((world) => void world.fill(rock, world.shape(unitSquare), bedrock))
+  ground.edit((world) => void world.clear(rock))
+  const ball = physics.createBody({ type: 'dynamic', position: { x: 40.5, y: 12.5 } })
+  ball.createFixture(new Circle(0.3), { density: 1 })
+  ground.window({ i0: -64, j0: -32, i1: 31, j1: 31 })
+  assert.ok(!ball.isActive() && ground.undo())
+  ground.window({ i0: -64, j0: -32, i1: 63, j1: 31 })
+  const { x, y } = ball.getPosition()
+  assert.ok(!ball.isActive() || ground.world.at(x, y).where === 'outside', `it is in the ground at ${x}, ${y}`)
+  physics.destroyBody(ball)
+  ground.free()
+})
+
 test('one chunk at once: a window comes in over several calls, and bodies wait for it', () => {
   const shelf = new Map(), moved = { in: 0, out: 0 }
   const { physics, ground } = withPlanck({

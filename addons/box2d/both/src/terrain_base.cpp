@@ -37,16 +37,32 @@ tl::expected<void, SyncError> TerrainBase::commit(World& world) noexcept {
   return sync(world.commit());
 }
 
-tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) noexcept { return sync(changes, onOverlap_); }
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) noexcept {
+  return sync(changes, onOverlap_, {});
+}
 
 tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnOverlap onOverlap) noexcept {
+  return sync(changes, onOverlap, {});
+}
+
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, std::span<const BodyHandle> coming) noexcept {
+  return sync(changes, onOverlap_, coming);
+}
+
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnOverlap onOverlap,
+                                                std::span<const BodyHandle> coming) {
   if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
   assertUnlocked(physics_);
   const bool catches = onOverlap != OnOverlap::leave && !isAlone();
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
   const EdgeChanges& edges = edges_.update(world_, changes);
-  const std::vector<BodyHandle> near = wakeAround(edges, catches ? ground.boxes() : std::vector<Box>());
+  std::vector<BodyHandle> near = wakeAround(edges, catches ? ground.boxes() : std::vector<Box>());
+  std::erase_if(near, [&](BodyHandle body) {
+    return std::ranges::any_of(coming, [&](BodyHandle one) { return numberOf(one) == numberOf(body); });
+  });
   overlaps_ = catches ? find(near, ground, Whose::free) : std::vector<Overlap>();
+  if (catches)
+    for (const BodyHandle body : coming) addIfOverlapping(body, ground, Whose::all, overlaps_);
   apply(edges);
   settle(ground.box(), onOverlap);
   return {};

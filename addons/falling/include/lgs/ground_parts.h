@@ -80,6 +80,9 @@ struct GroundDrawing {
 /// What a square of a world looks like. Cost: in proportion to what is in it.
 [[nodiscard]] GroundDrawing drawingOf(const World& world, const CellRect& cells);
 
+/// What a rock looks like, in cells from the origin of its body: a game draws it where that is, turned as it is.
+[[nodiscard]] std::vector<GroundDrawing::Fill> fillsOf(const Body& rock);
+
 /// Squares that look different since they were drawn.
 class ChangedSquares {
  public:
@@ -108,19 +111,6 @@ void putRock(std::vector<std::byte>& out, const Rock& rock);
 /// sound, and a world can hold its polygons.
 [[nodiscard]] std::optional<Rock> takeRock(std::span<const std::byte>& bytes);
 
-/// The cells of the chunk that a cell is in, as far as they are in range.
-[[nodiscard]] CellRect chunkAround(Cell cell);
-
-/// The lower-left cells of the chunks with a cell of a rectangle, and of those one chunk further.
-[[nodiscard]] std::vector<Cell> chunksAround(const CellRect& cells);
-/// The least rectangle around two.
-[[nodiscard]] CellRect boxOf(const CellRect& a, const CellRect& b);
-/// All chunks out of a rectangle of whole chunks leave memory.
-void unloadOutside(World& world, const CellRect& chunks, const Shelf& shelf) noexcept;
-/// Those in it come back, at most so many, from which those are taken off that did; false where some are still away, as
-/// the shelf did not give one or there are more.
-[[nodiscard]] bool reloadInside(World& world, const CellRect& chunks, const Shelf& shelf, std::size_t& most) noexcept;
-
 /// What a save of a Ground holds.
 struct LoadedGround {
   World world;              ///< only the chunks of the window are in memory, the others on the shelf
@@ -128,7 +118,7 @@ struct LoadedGround {
   std::vector<Cell> land;   ///< chunks whose land was made, by their lower-left cells
 };
 /// Writes all chunks of a world, those in memory and those on the shelf. See Ground::save().
-Expected<void> saveGround(const World& world, const Shelf& shelf, const std::vector<Rock>& rocks,
+Expected<void> saveGround(World world, const Shelf& shelf, const std::vector<Rock>& rocks,
                           const std::vector<Cell>& land, const ByteSink& sink);
 /// Reads that; nothing, if these are not the bytes of a save. See Ground::load().
 [[nodiscard]] std::optional<LoadedGround> loadGround(std::span<const std::byte> bytes, const PreserveRelation& preserve,

@@ -14,8 +14,8 @@ enum class AtEdge : std::uint8_t {
   open    ///< nothing: unloaded ground counts as empty, and what reaches it ends there
 };
 
-/// All unloaded chunks of 32×32 cells, by rows: their cells, as far as they are in range. Cost: for each of them, and for
-/// each row of them, as of World::firstUnloaded().
+/// All unloaded chunks of 32×32 cells, by rows: their cells, as far as they are in range. Cost: O(log n)
+/// for each of them.
 [[nodiscard]] std::vector<CellRect> unloadedChunks(const World& world) noexcept;
 
 }  // namespace lgs

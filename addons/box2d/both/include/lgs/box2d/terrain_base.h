@@ -83,6 +83,10 @@ class TerrainBase {
   /// The same, with another `onOverlap`.
   tl::expected<void, SyncError> sync(const Changes& changes, OnOverlap onOverlap) noexcept;
 
+  /// The same as sync(changes), where the game enabled the bodies `coming` since the last sync. They were free where
+  /// they are when they were disabled, so they overlap the ground that is there now.
+  tl::expected<void, SyncError> sync(const Changes& changes, std::span<const BodyHandle> coming) noexcept;
+
   /// The bodies that these changes would overlap. To be called after a commit or roll-back and before its sync(): so
   /// the game can roll back, or leave the rest to sync(). A body overlaps it if the centre of one of its shapes was
   /// free (law 13) and is in the solid, or if a new edge reaches deeper than half way to it. Sensors, bodies that are not dynamic or not enabled, and shapes whose filter lets them through the block
@@ -204,6 +208,7 @@ class TerrainBase {
   void lookAt(BodyHandle body, const std::optional<Footing>& last);  ///< afterStep() for one body that was moved
 
  private:
+  tl::expected<void, SyncError> sync(const Changes& changes, OnOverlap onOverlap, std::span<const BodyHandle> coming);
   std::vector<BodyHandle> bodiesInRect(const CellRect& cells) const noexcept;
   bool isAlone() const;
   std::vector<Form> formsOf(ConstBodyHandle body, const Pose& at);

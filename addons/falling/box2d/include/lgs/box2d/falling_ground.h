@@ -43,6 +43,8 @@ struct Falling {
   BodyHandle body{};    ///< null: every part is thinner than Box2D's slop, and there is nothing to see
   Body ground;          ///< what it is made of
   PolygonHandle was{};  ///< a polygon that it was in the ground; null, if it was no island
+  int pushes = 0;       ///< by rests()
+  double pushedAt = 0;  ///< at which angle, the last time
 };
 
 /// What a roll-back or redo did to bodies.
@@ -142,7 +144,9 @@ class FallingGround {
   Expected<Placing> placingOf(BodyHandle body) {
     findGone();
     if (find(body) == bodies_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
-    const Place down = downOf(physics_);
+    const Place gravity = gravityOf(physics_);
+    const double pull = std::hypot(gravity.x, gravity.y);
+    const Place down = pull > 0 ? Place{gravity.x / pull, gravity.y / pull} : Place{};
     const double slop = slopOf(physics_), depth = restingGap(physics_) + slop;
     const b2Vec2 lifted{static_cast<float>(-down.x * slop), static_cast<float>(-down.y * slop)};
     if (!fitsBy(terrain_, body, lifted)) return tl::unexpected(Error{.code = ErrorCode::overlap});
@@ -157,6 +161,38 @@ class FallingGround {
                    lying.sine / scale};
   }
 
+  /// Whether a body that lies still is carried by ground, and may be settled. Box2D lets bodies sleep that stand on a
+  /// tip. Where the weight is near the rim of what carries it, or beyond, a small push wakes the body, to that side: it
+  /// rests once it has stood that. Cost: its contacts.
+  bool rests(BodyHandle body) {
+    const auto found = find(body);
+    const Support support = supportOf(terrain_, body);
+    const Place gravity = gravityOf(physics_);
+    const double pull = std::hypot(gravity.x, gravity.y), radius = gyrationOf(body);
+    if (!support.isGround || found == bodies_.end() || support.at.empty() || !(pull > 0 && radius > 0))
+      return support.isGround;
+    double left = HUGE_VAL, right = -HUGE_VAL;
+    Place foot{};
+    for (const auto& [x, y] : support.at) {
+      const double aside = (y * gravity.x - x * gravity.y) / pull;
+      left = std::min(left, aside);
+      right = std::max(right, aside);
+      foot.x += x / static_cast<double>(support.at.size());
+      foot.y += y / static_cast<double>(support.at.size());
+    }
+    if (left < -kNarrow * radius && right > kNarrow * radius) return true;
+    const Lying lying = lyingOf(body);
+    const double angle = std::atan2(lying.sine, lying.cosine);
+    const bool hasStoodIt = found->pushes > 0 && std::abs(angle - found->pushedAt) < kSameAngle;
+    if (hasStoodIt || found->pushes == kMostPushes) return true;
+    ++found->pushes;
+    found->pushedAt = angle;
+    const double spin = kPush * std::sqrt(pull / radius) * (left + right > 0 ? 1 : -1);  // about its foot
+    setMoving(body,
+              {{static_cast<float>(spin * foot.y), static_cast<float>(-spin * foot.x)}, static_cast<float>(spin)});
+    return false;
+  }
+
   /// For a body that the game destroys itself, or keeps for itself: add() takes it back.
   void forget(BodyHandle body) {
     if (const auto found = find(body); found != bodies_.end()) bodies_.erase(found);
@@ -164,6 +200,11 @@ class FallingGround {
   }
 
  private:
+  static constexpr double kNarrow = 0.1;      // of the radius of gyration: so far from the rim the weight is safe
+  static constexpr double kPush = 0.1;        // of what a pendulum of that radius has
+  static constexpr int kMostPushes = 3;       // of one body
+  static constexpr double kSameAngle = 0.02;  // radians
+
   /// The next dropGone() says so, too.
   void findGone() {
     known_.eraseIf([](BodyHandle) { return false; });

@@ -52,13 +52,19 @@ class GroundHost {
   bool isThere() const { return isPhysicsThere(physics_); }
   /// Whether both are one body.
   static bool isSame(BodyHandle a, BodyHandle b) { return a == b; }
-  /// Syncs the terrain.
+  /// Syncs the terrain. Who came back with the ground is put out of it, if it is another one than when it was disabled.
   void show(const Changes& changes) {
-    if (!terrain_.sync(changes) && !terrain_.isCurrent()) terrain_.resync();
+    const std::vector<BodyHandle> coming = std::exchange(coming_, {});
+    const bool isSynced = terrain_.sync(changes, coming).has_value();
+    if (!isSynced && terrain_.isCurrent() && coming.empty()) return;
+    if (!isSynced) terrain_.resync();
+    for (const Overlap& pushed : terrain_.overlaps())
+      if (isEnabled(pushed.body) && isAway(pushed.body)) setAway(pushed.body);
   }
   /// After a load: the terrain shows what there is now.
   void showAll() {
     window(window_);
+    coming_.clear();
     terrain_.resync();
   }
   /// A body where a rock is, moving as it does; null, if all of it is too thin.
@@ -96,8 +102,9 @@ class GroundHost {
     const auto [velocity, spin] = movingOf(body);
     return std::hypot(velocity.x, velocity.y) < kSlow && std::abs(spin) < kSlowSpin;
   }
-  /// Whether the ground would carry it: a rock that rests on another body alone would fall again.
-  bool isHeld(BodyHandle body) { return touchesGround(terrain_, body); }
+  /// Whether the ground would carry it: a rock that rests on another body alone would fall again, and one on a tip falls
+  /// over.
+  bool isHeld(BodyHandle body) { return falling_.rests(body); }
   /// As that of FallingGround.
   Expected<Placing> placingOf(BodyHandle body) { return falling_.placingOf(body); }
   /// It stands still from now on: it is static, so no ground that is new in it pushes it out.
@@ -115,7 +122,7 @@ class GroundHost {
   bool has(BodyHandle body) const {
     return std::ranges::any_of(falling_.bodies(), [&](const Falling& f) { return f.body == body; });
   }
-  /// Bodies come back before the ground that they were in is new: so law 13 holds for them.
+  /// Bodies come back before the sync.
   void window(const CellRect& cells) {
     window_ = cells;
     away_.eraseIf([&](BodyHandle body) {
@@ -123,6 +130,7 @@ class GroundHost {
       if (isAway(body)) return false;
       enable(body, true);
       noteWhereItIs(terrain_, body);
+      coming_.push_back(body);
       return true;
     });
     disableAway(false);
@@ -171,6 +179,7 @@ class GroundHost {
   FallingGround falling_;
   CellRect window_{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
   detail::KnownBodies away_;
+  std::vector<BodyHandle> coming_;  // enabled since the last sync
 };
 
 /// The comment at the top of <lgs/ground.h> is its manual.

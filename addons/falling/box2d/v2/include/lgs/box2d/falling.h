@@ -6,18 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace lgs::box2d {
 
 inline bool isPhysicsThere(b2World& /*physics*/) { return true; }
 
-/// Of one step down, as gravity pulls: where there is none the length is 0.
-inline Place downOf(b2World& physics) {
-  const b2Vec2 g = physics.GetGravity();
-  const double length = std::hypot(double{g.x}, double{g.y});
-  return length > 0 ? Place{g.x / length, g.y / length} : Place{};
-}
+inline Place gravityOf(const b2World& physics) { return {physics.GetGravity().x, physics.GetGravity().y}; }
 
 /// How far two shapes that rest on each other may be apart: their skins, but for the slop.
 inline double restingGap(b2World& /*physics*/) { return 2 * b2_polygonRadius; }
@@ -75,17 +71,37 @@ struct Moving {
   float spin;
 };
 inline Moving movingOf(const b2Body* body) { return {body->GetLinearVelocity(), body->GetAngularVelocity()}; }
+inline void setMoving(b2Body* body, Moving moving) {
+  body->SetLinearVelocity(moving.velocity);  // who moves is awake
+  body->SetAngularVelocity(moving.spin);
+}
 inline void setMotion(b2Body* body, Place origin, double cosine, double sine, Moving moving) {
   body->SetTransform({static_cast<float>(origin.x), static_cast<float>(origin.y)},
                      static_cast<float>(std::atan2(sine, cosine)));
-  body->SetLinearVelocity(moving.velocity);
-  body->SetAngularVelocity(moving.spin);
+  setMoving(body, moving);
 }
-/// Whether a body touches the ground.
-inline bool touchesGround(const Terrain& terrain, b2Body* body) {
-  const b2ContactEdge* edge = body->GetContactList();
-  while (edge != nullptr && !terrain.hit(*edge->contact)) edge = edge->next;
-  return edge != nullptr;
+/// What a body stands on: whether some of that is ground, and where it is touched, from its centre of mass.
+struct Support {
+  bool isGround = false;
+  std::vector<Place> at;
+};
+inline Support supportOf(const Terrain& terrain, b2Body* body) {
+  const b2Vec2 middle = body->GetWorldCenter();
+  Support support;
+  for (const b2ContactEdge* edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+    if (!edge->contact->IsTouching()) continue;
+    support.isGround = support.isGround || terrain.hit(*edge->contact);
+    b2WorldManifold manifold;
+    edge->contact->GetWorldManifold(&manifold);
+    for (std::int32_t k = 0; k < edge->contact->GetManifold()->pointCount; ++k)
+      support.at.push_back({manifold.points[k].x - middle.x, manifold.points[k].y - middle.y});
+  }
+  return support;
+}
+/// How far from its centre all of its mass would be, to turn as it does.
+inline double gyrationOf(const b2Body* body) {
+  const b2Vec2 center = body->GetLocalCenter();
+  return std::sqrt(double{body->GetInertia()} / body->GetMass() - double{b2Dot(center, center)});
 }
 inline b2Vec2 middleOfMass(const b2Body* body) { return body->GetWorldCenter(); }
 inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }

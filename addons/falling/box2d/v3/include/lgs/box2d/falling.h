@@ -15,11 +15,9 @@ inline bool operator==(b2BodyId a, b2BodyId b) { return B2_ID_EQUALS(a, b); }
 
 inline bool isPhysicsThere(b2WorldId physics) { return b2World_IsValid(physics); }
 
-/// Of one step down, as gravity pulls: where there is none the length is 0.
-inline Place downOf(b2WorldId physics) {
+inline Place gravityOf(b2WorldId physics) {
   const b2Vec2 g = b2World_GetGravity(physics);
-  const double length = std::hypot(double{g.x}, double{g.y});
-  return length > 0 ? Place{g.x / length, g.y / length} : Place{};
+  return {g.x, g.y};
 }
 
 inline double slopOf(b2WorldId /*physics*/) { return 0.005 * double{b2GetLengthUnitsPerMeter()}; }
@@ -80,6 +78,10 @@ struct Moving {
   float spin;
 };
 inline Moving movingOf(b2BodyId body) { return {b2Body_GetLinearVelocity(body), b2Body_GetAngularVelocity(body)}; }
+inline void setMoving(b2BodyId body, Moving moving) {
+  b2Body_SetLinearVelocity(body, moving.velocity);  // who moves is awake
+  b2Body_SetAngularVelocity(body, moving.spin);
+}
 inline void setMotion(b2BodyId body, Place origin, double cosine, double sine, Moving moving) {
   Position at{};
   at.x = static_cast<decltype(at.x)>(origin.x);
@@ -88,8 +90,7 @@ inline void setMotion(b2BodyId body, Place origin, double cosine, double sine, M
   rotation.c = static_cast<float>(cosine);
   rotation.s = static_cast<float>(sine);
   b2Body_SetTransform(body, at, rotation);
-  b2Body_SetLinearVelocity(body, moving.velocity);
-  b2Body_SetAngularVelocity(body, moving.spin);
+  setMoving(body, moving);
 }
 /// The function has another name since a state after 3.1.
 template <class Body>
@@ -99,12 +100,40 @@ Position middleOfMass(Body body) {
   else
     return b2Body_GetWorldCenter(body);
 }
-/// Whether a body touches the ground.
-inline bool touchesGround(const Terrain& terrain, b2BodyId body) {
+/// What a body stands on: whether some of that is ground, and where it is touched, from its centre of mass.
+struct Support {
+  bool isGround = false;
+  std::vector<Place> at;
+};
+/// Since a state after 3.1 there are no points of the world.
+template <class ManifoldPoint>
+Place fromMiddle(const ManifoldPoint& p, b2BodyId body, b2ShapeId shapeA) {
+  if constexpr (requires { p.point; }) {
+    const Position middle = middleOfMass(body);
+    return {static_cast<double>(p.point.x) - static_cast<double>(middle.x),
+            static_cast<double>(p.point.y) - static_cast<double>(middle.y)};
+  } else {
+    const b2Vec2 at = b2Shape_GetBody(shapeA) == body ? p.anchorA : p.anchorB;
+    return {at.x, at.y};
+  }
+}
+inline Support supportOf(const Terrain& terrain, b2BodyId body) {
   std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(body)));
   const int count = b2Body_GetContactData(body, contacts.data(), static_cast<int>(contacts.size()));
-  return std::any_of(contacts.begin(), contacts.begin() + count,
-                     [&](const b2ContactData& contact) { return terrain.hit(contact).has_value(); });
+  contacts.resize(static_cast<std::size_t>(count));
+  const float slop = 0.005F * b2GetLengthUnitsPerMeter();  // what is further away only may be touched soon
+  Support support;
+  for (const b2ContactData& contact : contacts) {
+    support.isGround = support.isGround || terrain.hit(contact);
+    for (int k = 0; k < contact.manifold.pointCount; ++k)
+      if (const auto& p = contact.manifold.points[k]; p.separation <= slop)
+        support.at.push_back(fromMiddle(p, body, contact.shapeIdA));
+  }
+  return support;
+}
+/// How far from its centre all of its mass would be, to turn as it does.
+inline double gyrationOf(b2BodyId body) {
+  return std::sqrt(double{b2Body_GetRotationalInertia(body)} / double{b2Body_GetMass(body)});
 }
 inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline void enable(b2BodyId body, bool enabled) { enabled ? b2Body_Enable(body) : b2Body_Disable(body); }
