@@ -228,8 +228,13 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
 }
 
 std::string noIn(const std::string& property, const std::string& value) {
-  const bool isNo =
-      !saysYes(value) && property.find('=') == std::string::npos && sayingOfProperty(property).says == Says::collision;
+  if (property.find('=') != std::string::npos) return "";
+  const bool isOpposite = std::any_of(kNot.begin(), kNot.end(), [&](std::string_view no) {
+    const auto words =
+        lower(property).starts_with(no) ? wordsIn(property.substr(no.size())) : std::vector<std::string>{};
+    return !words.empty() && sayingOf(words.front()).says == Says::collision;
+  });
+  const bool isNo = saysYes(value) ? isOpposite : sayingOfProperty(property).says == Says::collision;
   return isNo ? property + "=" + value : "";
 }
 

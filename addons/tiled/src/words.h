@@ -87,7 +87,8 @@ std::string propertyIn(const std::string& rule);
 /// The first of some rules, "NAME" or "NAME=VALUE", that the properties fit; null if they fit none.
 const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties);
 
-/// Whether a property says that something is not solid: "solid=false". Then this is a rule for it; otherwise "".
+/// Whether a property says that something is not solid: "solid=false", "NoCollide=1". Then this is a rule for it;
+/// otherwise "".
 std::string noIn(const std::string& property, const std::string& value);
 
 /// The attribute of an object layer whose objects are things with a name of their own, such as entities of LDtk. Of
