@@ -87,16 +87,12 @@ void AskedNames::report(Report& report) const {
 
 bool areSimilar(std::string_view a, std::string_view b) {
   const std::string x = lower(a), y = lower(b);
-  const std::size_t most = std::min(x.size(), y.size());
-  std::size_t begin = 0, end = 0;  // how many letters are alike
-  while (begin < most && x[begin] == y[begin]) ++begin;
-  while (end < most - begin && x[x.size() - 1 - end] == y[y.size() - 1 - end]) ++end;
-  const std::string_view restOfX = std::string_view(x).substr(begin, x.size() - begin - end);
-  const std::string_view restOfY = std::string_view(y).substr(begin, y.size() - begin - end);
-  if (restOfX.empty() && restOfY.empty()) return true;
-  if (begin + end == 0) return false;  // "x" and "y" are not similar
-  const bool isSwapped =
-      restOfX.size() == 2 && restOfY.size() == 2 && restOfX[0] == restOfY[1] && restOfX[1] == restOfY[0];
+  const auto [x1, y1] = std::mismatch(x.begin(), x.end(), y.begin(), y.end());
+  const auto [x2, y2] = std::mismatch(x.rbegin(), std::reverse_iterator(x1), y.rbegin(), std::reverse_iterator(y1));
+  const std::string restOfX(x1, x2.base()), restOfY(y1, y2.base());
+  if (x == y) return true;
+  if (restOfX == x && restOfY == y) return false;  // "x" and "y" are not similar
+  const bool isSwapped = restOfX.size() == 2 && restOfX == std::string(restOfY.rbegin(), restOfY.rend());
   return isSwapped || std::max(restOfX.size(), restOfY.size()) == 1;
 }
 

@@ -28,8 +28,11 @@ bool alongEdge(Point a, Point b, const Visit& visit) {
 bool Budget::read(std::size_t bytes) {
   if (bytes > bytes_) return false;
   bytes_ -= bytes;
-  steps_ += kWorkPerByte * bytes;
-  cells_ += kObjectCellsPerByte * bytes;
+  const auto allow = [](std::uint64_t& left, std::uint64_t more) {
+    left += std::min(more, ~left);
+  };  // limits may be huge
+  allow(steps_, kWorkPerByte * bytes);
+  allow(cells_, kObjectCellsPerByte * bytes);
   return true;
 }
 

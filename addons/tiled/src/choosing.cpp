@@ -7,21 +7,15 @@
 namespace lgs::tiled {
 namespace {
 
-/// How many tiles or objects of a layer an import took.
-std::uint64_t taken(const LayerFacts& layer, const Report& report) {
-  std::uint64_t count = 0;
-  for (const LayerReport& one : report.layers)
-    if (one.kind == layer.kind && one.name == layer.name) count += one.solid;
-  return count;
-}
-
 /// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
-/// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
-bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
+/// are what one sees of a collision layer, or of objects; objects that are called so are drawn for the game, as those of
+/// that layer.
+bool isDue(const LayerFacts& layer, const Choice& choice, bool areTilesTaken, bool isLdtk) {
   if (layer.isDrawn || layer.uses.isPassable || layer.saying.says == Says::nothing) return false;
   if (layer.saying.says == Says::collision) return true;
   if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
-  return choice.evidence == Evidence::solid && choice.options.layers.empty() && !layer.saying.isFloor();
+  return choice.evidence == Evidence::solid && choice.options.layers.empty() && areTilesTaken &&
+         !layer.saying.isFloor();
 }
 
 /// Beside layers that were taken as a whole another one may be meant as well, unless its name says what it is. Water
@@ -110,17 +104,25 @@ std::string linesLeftOut(const std::string& layer, std::uint64_t lines) {
 
 std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options, const Report& report) {
   std::vector<Missed> result;
-  Options all = choice.options;  // with all that is due
+  Options all = choice.options;                                      // with all that is due
+  std::map<std::pair<LayerKind, std::string>, std::uint64_t> taken;  // tiles or objects of layers
+  bool areTilesTaken = false;
+  for (const LayerReport& layer : report.layers) {
+    taken[{layer.kind, layer.name}] += layer.solid;
+    areTilesTaken |= layer.kind == LayerKind::tiles && layer.solid > 0;
+  }
+  const bool areDrawn = choice.evidence == Evidence::ground && choice.options.layers.empty();
   for (const LayerFacts& layer : facts.layers) {
     const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
-    const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
+    const bool areOthers = areDrawn ? layer.uses.isPassable || areNamed(layer) : layer.uses.isOther || areNamed(layer);
+    const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areOthers && !facts.isLdtk;
     const bool isPlain = !choice.options.layers.empty() && isPlainLayer(layer);
     const bool isWater = isOfObjects && facts.isLdtk && layer.uses.isGoneThrough && !layer.uses.isPassable;
-    const std::uint64_t count = taken(layer, report);
+    const std::uint64_t count = taken[{layer.kind, layer.name}];
     const bool isBegun = isOfObjects && count > 0;  // some are taken, by their class or property
     if (!says && !isPlain && !isWater && !isBegun && !(areBoxes && layer.classes.empty())) continue;
     if (says && isOfObjects && !isDrawnByHand(layer)) continue;
-    const bool due = isDue(layer, choice, facts.isLdtk);
+    const bool due = isDue(layer, choice, areTilesTaken, facts.isLdtk);
     const auto add = [&](std::string text, std::string offer, bool isPart, const auto& take) {
       if (result.size() == kMaxSuggestions) return;  // as many commands follow
       result.push_back({std::move(text), choice.options, std::move(offer), isPart, says || isWater || isBegun});
@@ -145,10 +147,11 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
                  count == 0 ? "nothing is" : concat(count, " of ", counted(layer.objects, "object"), " are"), " taken"),
           "the same with object layer " + layer.name, due && count == 0, takeObjects);
     if (says && options.polylineThickness == 0 && layer.lines > 0)
-      add(linesLeftOut(layer.name, layer.lines), "the same with its polylines made thick", due, [&](Options& more) {
-        if (more.objects || !more.layers.empty()) takeObjects(more);
-        more.polylineThickness = kLineThickness;
-      });
+      add(linesLeftOut(layer.name, layer.lines), "the same with its polylines made thick", due || isBegun,
+          [&](Options& more) {
+            if (more.objects || !more.layers.empty()) takeObjects(more);
+            more.polylineThickness = kLineThickness;
+          });
   }
   const auto rest = std::stable_partition(result.begin(), result.end(), [](const Missed& one) { return one.isDue; });
   if (rest - result.begin() > 1) result.insert(result.begin(), {"", std::move(all), "the same with all of these"});

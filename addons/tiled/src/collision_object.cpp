@@ -194,12 +194,12 @@ CollisionObject asAsked(CollisionObject object, const Options& options) {
   return object;
 }
 
-std::vector<Outline> outlines(const CollisionObject& object) {
+std::vector<Outline> outlines(const CollisionObject& object, const std::function<DoublePoint(DoublePoint)>& place) {
   std::vector<Outline> all = plainOutlines(object);
   for (Outline& outline : all) {
     for (DoublePoint& p : outline) {
       const DoublePoint q = turned(p, object.rotation);
-      p = {object.at.x + q.x, object.at.y + q.y};
+      p = place({object.at.x + q.x, object.at.y + q.y});
     }
   }
   return all;

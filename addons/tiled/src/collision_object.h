@@ -4,6 +4,7 @@
 
 #include "words.h"
 
+#include <functional>
 #include <memory>
 
 namespace lgs::tiled {
@@ -60,9 +61,9 @@ CollisionObject asAsked(CollisionObject object, const Options& options);
 
 using Outline = std::vector<DoublePoint>;
 
-/// The outline of an object, in pixels from where it is measured, y down; of an open polyline one for each segment. They
-/// may run either way round. There are none for Kind::tile and Kind::unsupported.
-std::vector<Outline> outlines(const CollisionObject& object);
+/// The outline of an object; of an open polyline one for each segment. `place` takes its points from pixels, y down, to
+/// where they should be. They may run either way round. There are none for Kind::tile and Kind::unsupported.
+std::vector<Outline> outlines(const CollisionObject& object, const std::function<DoublePoint(DoublePoint)>& place);
 
 /// A point turned around the origin by an angle in degrees, clockwise where y points down. Quarter turns are exact.
 DoublePoint turned(DoublePoint p, double degrees);

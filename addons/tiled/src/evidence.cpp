@@ -11,8 +11,13 @@ std::string percent(double share) { return std::to_string(std::lround(100 * shar
 
 std::string kindOf(const LayerFacts& layer) { return layer.kind == LayerKind::tiles ? "tile layer" : "object layer"; }
 
-/// Whether an object that says so is ground: a platform or a block may be a thing that moves.
-bool isDrawnGround(const Saying& said) { return said.isWall() || said.isFloor(); }
+template <class Fits>
+Layers layersOf(const Facts& facts, const Fits& fits) {
+  Layers layers;
+  for (const LayerFacts& layer : facts.layers)
+    if (fits(layer)) layers.push_back(&layer);
+  return layers;
+}
 
 std::vector<std::string> namesOf(const Layers& layers) {
   std::vector<std::string> names;
@@ -22,17 +27,20 @@ std::vector<std::string> namesOf(const Layers& layers) {
 
 /// The object layers that say that they are solid.
 Layers sayingObjects(const Facts& facts) {
-  Layers layers;
-  for (const LayerFacts& layer : facts.layers) {
-    if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) layers.push_back(&layer);
-  }
-  return layers;
+  return layersOf(facts, [](const LayerFacts& layer) {
+    return layer.kind == LayerKind::objects && layer.saying.says != Says::nothing;
+  });
 }
 
 /// Finds the choices of a map.
 class Chooser {
  public:
   Chooser(const Facts& facts, const Options& options) : facts_(facts), options_(options), squares_(options) {
+    for (const LayerFacts& layer : facts_.layers) {
+      if (layer.kind != LayerKind::tiles) continue;
+      isWalled_ |= layer.saying.isWall() && !isFull(layer) && layer.tiles > 0;
+      if (layer.saying.isFloor()) floors_ += layer.share();
+    }
     leaveOut();
   }
 
@@ -75,16 +83,17 @@ class Chooser {
   /// collision, the others are for something else. Values that one goes through are left out, and so is a floor beside
   /// walls. Returns whether there is something to be chosen.
   bool addIntGrids() {
-    Layers called, some, all;
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != LayerKind::tiles || layer.isDrawn || layer.tiles == 0) continue;
-      all.push_back(&layer);
-      if (layer.saying.word.starts_with("coll")) called.push_back(&layer);  // "Solid" may be one of several materials
-      if (!layer.uses.isOther || layer.uses.isForeground) some.push_back(&layer);
+    const Layers all = layersOf(facts_, [](const LayerFacts& layer) {
+      return layer.kind == LayerKind::tiles && !layer.isDrawn && layer.tiles > 0;
+    });
+    if (all.empty()) return true;
+    Layers called, some;
+    for (const LayerFacts* layer : all) {
+      if (layer->saying.word.starts_with("coll")) called.push_back(layer);  // "Solid" may be one of several materials
+      if (!layer->uses.isOther || layer->uses.isForeground) some.push_back(layer);
     }
     if (std::any_of(all.begin(), all.end(), [](const LayerFacts* layer) { return layer->saying.isWall(); }))
       std::erase_if(some, [](const LayerFacts* layer) { return layer->saying.isFloor(); });
-    if (all.empty()) return true;
     if (!called.empty() || some.empty()) some = called.empty() ? all : called;
     const bool isPart = some.size() < all.size();
     Options options = options_;
@@ -115,46 +124,39 @@ class Chooser {
     return isDecided;
   }
 
-  /// Layers of a kind that say so, and hold what could be solid.
+  /// Whether a layer says so, and holds what could be solid.
+  bool isSaying(const LayerFacts& layer, LayerKind kind, Says says) const {
+    if (layer.kind != kind || layer.saying.says != says || layer.uses.isPassable || isMixed(layer)) return false;
+    if (kind == LayerKind::objects) return isDrawnByHand(layer);
+    return layer.tiles > 0 && !isFull(layer) && !isWalkedOn(layer);
+  }
+
   Layers saying(LayerKind kind, Says says) const {
-    Layers layers;
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != kind || layer.saying.says != says || layer.uses.isPassable || isMixed(layer)) continue;
-      const bool isThere = kind == LayerKind::objects ? isDrawnByHand(layer) : layer.tiles > 0;
-      if (isThere && !(kind == LayerKind::tiles && (isFull(layer) || isWalkedOn(layer)))) layers.push_back(&layer);
-    }
-    return layers;
+    return layersOf(facts_, [&](const LayerFacts& layer) { return isSaying(layer, kind, says); });
   }
 
   /// In LDtk each kind of entity is a layer of its own.
   bool isMixed(const LayerFacts& layer) const { return !facts_.isLdtk && layer.isMixed(); }
 
   /// Floors beside walls are what one walks on, seen from above, if they fill together a quarter of the map.
-  bool isWalkedOn(const LayerFacts& floor) const {
-    if (!floor.saying.isFloor()) return false;
-    bool isWalled = false;
-    double floors = 0;
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != LayerKind::tiles) continue;
-      isWalled = isWalled || (layer.saying.isWall() && !isFull(layer) && layer.tiles > 0);
-      if (layer.saying.isFloor()) floors += layer.share();
-    }
-    return isWalled && floors > 0.25;
-  }
+  bool isWalkedOn(const LayerFacts& layer) const { return layer.saying.isFloor() && isWalled_ && floors_ > 0.25; }
 
   /// All that says collision, each tile by its own shape or as a square; then each kind of it by itself.
   void addSolid() {
-    Layers shaped;
+    const auto isCollision = [&](const LayerFacts& layer) {
+      return !facts_.isLdtk && isSaying(layer, LayerKind::tiles, Says::collision);
+    };
+    const Layers tiles = layersOf(facts_, isCollision),
+                 shaped = layersOf(facts_, [&](const LayerFacts&layer) {
+                   return layer.shaped > 0 && !layer.uses.isPassable && !has(pictures_, layer.name) && !facts_.isLdtk;
+                 });
     std::uint64_t uses = 0;
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.shaped == 0 || layer.uses.isPassable || has(pictures_, layer.name) || facts_.isLdtk) continue;
-      shaped.push_back(&layer);
-      uses += layer.shaped;
+    bool isOneLayer = true;
+    for (const LayerFacts* layer : shaped) {
+      uses += layer->shaped;
+      isOneLayer &= isCollision(*layer);
     }
-    const Layers tiles = facts_.isLdtk ? Layers{} : saying(LayerKind::tiles, Says::collision);
     const std::string ofShapes = "the shapes of " + counted(uses, "tile") + " in " + listed(namesOf(shaped));
-    const bool isOneLayer =
-        std::all_of(shaped.begin(), shaped.end(), [&](const LayerFacts* layer) { return has(tiles, layer); });
     auto [rules, ofRules] = rulesOf(Says::collision, !shaped.empty());
     Options options = options_;
     std::string text = shaped.empty() ? "" : ofShapes;
@@ -164,7 +166,7 @@ class Chooser {
       text = reasons(tiles);
       options = wholeLayers(tiles);
     } else {
-      for (const LayerFacts* layer : tiles) options.solidIf.push_back(kLayerProperty + ("=" + layer->name));
+      for (const std::string& name : namesOf(tiles)) options.solidIf.push_back(kLayerProperty + ("=" + name));
       for (const auto& [what, passable] : facts_.passable)
         if (passable.areSquares && !tiles.empty()) options.leaveOut.push_back(what);
       join(text, reasons(tiles));
@@ -188,9 +190,8 @@ class Chooser {
     std::string ofObjects, text = reasons(tiles);
     addObjects(Says::ground, tiles.empty(), drawn, ofObjects);
     const bool areClasses = drawn.objects && drawn.objects->size() > objects.size();
-    const bool areGround = areClasses || std::any_of(objects.begin(), objects.end(), [](const LayerFacts* layer) {
-                             return isDrawnGround(layer->saying);
-                           });
+    const bool areGround = areClasses || std::any_of(objects.begin(), objects.end(),
+                                                     [](const LayerFacts* layer) { return !layer->saying.isPart(); });
     if (!ofObjects.empty() && (areGround || tiles.empty())) add(Evidence::ground, drawn, ofObjects);
     if (!ofObjects.empty() && !areGround) {
       options.objects = drawn.objects;
@@ -212,7 +213,7 @@ class Chooser {
     const bool isAlone = text.empty() && objects.empty() && classes.empty();
     if (says == Says::collision && !isAlone) {
       for (const LayerFacts* layer : saying(LayerKind::objects, Says::ground)) {
-        if (isDrawnGround(layer->saying)) objects.push_back(layer);
+        if (!layer->saying.isPart()) objects.push_back(layer);
       }
       names = namesOf(objects);
     }
@@ -231,7 +232,7 @@ class Chooser {
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.saying.says != Says::nothing && !isMixed(layer)) continue;
       for (const auto& [name, said] : layer.classes) {
-        if (says == Says::ground && !isDrawnGround(said)) continue;  // "Platform" may be a thing that moves
+        if (says == Says::ground && said.isPart()) continue;  // "Platform" may be a thing that moves
         if (said.says == says && !has(classes, name) && classes.size() < kMostRules) classes.push_back(name);
       }
     }
@@ -274,14 +275,11 @@ class Chooser {
   /// tile layers that do not fill the map and are no background, of these what is called "tiles" or the like, and then
   /// the largest.
   void addOffers() {
-    Layers layers;
-    for (const LayerFacts& layer : facts_.layers) {
+    Layers layers = layersOf(facts_, [&](const LayerFacts& layer) {
       const bool says = layer.saying.says != Says::nothing;
-      const bool isOffer = layer.kind == LayerKind::objects
-                               ? layer.objects > 0 && !(says && isDrawnByHand(layer))
-                               : layer.bare > 0 && !(says && !isFull(layer) && !isWalkedOn(layer));
-      if (isOffer) layers.push_back(&layer);
-    }
+      if (layer.kind == LayerKind::objects) return layer.objects > 0 && !(says && isDrawnByHand(layer));
+      return layer.bare > 0 && (!says || isFull(layer) || isWalkedOn(layer));
+    });
     const auto key = [](const LayerFacts* layer) {
       if (layer->kind == LayerKind::tiles)
         return std::tuple(1, isFull(*layer), isTiny(*layer), layer->uses.isOther, !layer->uses.isMain, -layer->share());
@@ -289,6 +287,9 @@ class Chooser {
       return std::tuple(areOthers ? 2 : 0, layer->figures > 0, false, false, false, 0.0);
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
+    if (layers.size() > kMostLayers) layers.resize(kMostLayers);  // no more are tried
+    const std::vector<std::string> tiles = namesOf(
+        layersOf(facts_, [](const LayerFacts& layer) { return layer.kind == LayerKind::tiles && layer.tiles > 0; }));
     constexpr std::size_t kMostTogether = 4;  // of more some are decoration
     Layers plain;                             // nobody can tell which of them is the ground, or whether all are
     std::copy_if(layers.begin(), layers.end(), std::back_inserter(plain), [&](const LayerFacts* layer) {
@@ -302,11 +303,9 @@ class Chooser {
             "tile layers " + listed(namesOf(plain)) + ": nothing says what they are");
       Options options = ofTiles ? wholeLayers({layer}) : options_;
       if (!ofTiles) options.objects = {layer->name};
-      if (layer->bareFigures > 0 &&
-          layer->saying.says != Says::nothing) {  // as squares; then tile layers would be, too
+      if (layer->bareFigures > 0 && layer->saying.says != Says::nothing) {  // as squares; then tiles would be, too
         options.solidWithoutShapes = true;
-        for (const LayerFacts& other : facts_.layers)
-          if (other.kind == LayerKind::tiles && other.tiles > 0) options.leaveOut.push_back(other.name);
+        options.leaveOut.insert(options.leaveOut.end(), tiles.begin(), tiles.end());
       }
       add(Evidence::offered, std::move(options),
           concat(kindOf(*layer), " ", layer->name, ", ",
@@ -332,6 +331,8 @@ class Chooser {
   Options options_;                    // those of the user, without what is not solid
   Options squares_;                    // the same for whole layers that are named
   std::vector<std::string> pictures_;  // tile layers whose shapes and properties do not count
+  bool isWalled_ = false;              // there are tile layers of walls
+  double floors_ = 0;                  // how much of the map tile layers of floors fill together
   std::vector<Choice> result_;
 };
 

@@ -42,7 +42,8 @@ using Layers = std::vector<const LayerFacts*>;
 inline bool isDrawnByHand(const LayerFacts& layer) { return layer.objects > layer.figures || layer.lines > 0; }
 
 /// Whether the objects of a layer are things with names, rather than the boxes of a ground.
-inline bool areThings(const LayerFacts& layer) { return layer.uses.isOther || 2 * layer.named > layer.objects; }
+inline bool areNamed(const LayerFacts& layer) { return 2 * layer.named > layer.objects; }
+inline bool areThings(const LayerFacts& layer) { return layer.uses.isOther || areNamed(layer); }
 
 /// The only tile layer that could be solid, in a map that says nothing, or the only one of several that is called
 /// "level" or the like, or a foreground beside nothing but backgrounds; or null. It must be half empty: a layer that

@@ -119,9 +119,8 @@ class Import {
     grid_ = {tile, {std::min(options_.tolerance, tile.x / 4), std::min(options_.tolerance, tile.y / 4)}};
     report.tolerance = std::max(grid_.tolerance.x, grid_.tolerance.y);
     const DoublePoint at{source_->place.offset.x / tile.x, source_->place.offset.y / tile.y};
-    min_ = isFirst ? at : DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)};
-    max_ = {isFirst ? at.x + width : std::max(max_.x, at.x + width),
-            isFirst ? at.y + height : std::max(max_.y, at.y + height)};
+    min_ = {std::min(min_.x, at.x), std::min(min_.y, at.y)};
+    max_ = {std::max(max_.x, at.x + width), std::max(max_.y, at.y + height)};
   }
 
   void readObjectLayer(const Layer& layer, std::uint32_t index) {
@@ -212,7 +211,7 @@ class Import {
     Ready result{reportOf(tileset, id)};
     TileReport& report = map_.report.tiles[result.report];
     if (!budget_.tile(tileset, id)) return result;
-    Tile tile = tileAt(tileset, id);
+    Tile tile = tileset.tile(id);
     report.isSolid |= squareAsAsked(tile, layer.properties, options_);
     if (report.layers.empty() || report.layers.back() != layer.index) report.layers.push_back(layer.index);
     ImageFrame frame{tile.size, gid, {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
@@ -249,13 +248,15 @@ class Import {
     const auto side = [](double tiles) { return static_cast<int>(std::min(std::ceil(tiles), double{1 << 30})); };
     report.width = side(max_.x - min_.x);
     report.height = side(max_.y - min_.y);
+    std::set<std::string> missing;
     for (const auto& map : maps_) {
       for (const Tileset& tileset : map->tilesets.all()) {
         asked_.see(tileset);
-        if (report.partial.find(tileset.missing) == std::string::npos) join(report.partial, tileset.missing);
+        if (!tileset.missing.empty()) missing.insert(tileset.missing);
       }
       for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
     }
+    join(report.partial, listed({missing.begin(), missing.end()}));
     if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
     if (strayTiles_ > 0) report.notes.push_back(concat(strayTiles_, " tiles belong to no tileset of the map"));
     const auto sort = [](std::vector<Note>& notes) {
@@ -280,7 +281,7 @@ class Import {
   Placer placer_{budget_};
   ImportedMap map_;
   PixelGrid grid_;
-  DoublePoint min_, max_;                                                                 // of the maps, in tiles
+  DoublePoint min_{kInfinite, kInfinite}, max_{-kInfinite, -kInfinite};                   // of the maps, in tiles
   std::map<std::tuple<std::string, std::uint32_t, std::string>, std::uint32_t> reports_;  // of tiles, by what they say
   std::uint64_t strayTiles_ = 0;                                                          // of no tileset
 

@@ -175,7 +175,9 @@ pugi::xml_node addElement(pugi::xml_node parent, const char* name, const JsonPla
 }
 
 void setAttribute(pugi::xml_node node, const char* name, const std::string& value) {
-  node.append_attribute(name) = value.c_str();
+  auto attribute = node.attribute(name);
+  if (!attribute) attribute = node.append_attribute(name);
+  attribute = value.c_str();
 }
 
 void setNumbers(pugi::xml_node node, std::initializer_list<std::pair<const char*, double>> numbers) {

@@ -54,6 +54,7 @@ inline constexpr const char* kPathAttribute = "json:path";
 /// A new element that was made of a value.
 pugi::xml_node addElement(pugi::xml_node parent, const char* name, const JsonPlace& from);
 
+/// An attribute that there is already gets another value.
 void setAttribute(pugi::xml_node node, const char* name, const std::string& value);
 void setNumbers(pugi::xml_node node, std::initializer_list<std::pair<const char*, double>> numbers);
 

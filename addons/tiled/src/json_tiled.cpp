@@ -1,15 +1,10 @@
 // Tiled's JSON says the same as TMX and TSX: values are attributes, objects and lists are elements. Only layers, tiles
 // of old files, properties, points and the numbers of tiles are written in another way.
 #include "json.h"
-
-#include <algorithm>
+#include "words.h"
 
 namespace lgs::tiled {
 namespace {
-
-bool isOneOf(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// A value as an attribute has it; nothing for null. Whoever takes a list for a number says that it is none.
 std::optional<std::string> attributeText(const Json& value) {
@@ -59,7 +54,7 @@ void addTiles(const JsonPlace& from, pugi::xml_node to) {
   const auto each = [&](const JsonPlace& all, auto&& use) {
     if (!all.isMissing() && !all.value->is_object()) return all.fail("should be an object");
     for (const auto& [id, value] : all.value->items()) {
-      const JsonPlace place{&value, all.path + "/" + id, all.file};
+      const JsonPlace place{&value, concat(all.path, "/", all.file->mayQuote() ? id : "…"), all.file};
       pugi::xml_node& node = byId[id];
       if (!node) setAttribute(node = addElement(to, "tile", place), "id", id);
       if (!value.is_object()) return place.fail("should be an object");

@@ -5,7 +5,6 @@
 #include "words.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace lgs::tiled {
@@ -144,7 +143,7 @@ tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data,
   const std::string_view encoding = data.attribute("encoding").value();
   if (encoding == "csv") return decodeCsv(rect.node.text().get(), count);
   const std::string_view compression = data.attribute("compression").value();
-  if (encoding == "base64" && !has(std::array<std::string_view, 4>{"", "zlib", "gzip", "zstd"}, compression))
+  if (encoding == "base64" && !isOneOf(compression, {"", "zlib", "gzip", "zstd"}))
     return tl::unexpected(concat("has the unknown compression", file.quoted(" ", compression),
                                  ": save the map with zlib, gzip, zstd or none"));
   if (encoding == "base64") return decodeBase64(rect.node.text().get(), compression, count);

@@ -39,9 +39,6 @@ Properties propertiesOf(const Layer& layer);
 bool isPicked(const Options& options, const std::string& className, const std::string& name,
               const Properties& properties);
 
-/// The attribute of a group that is a place for layers, such as a level, and no part of their names.
-inline constexpr const char* kPlaceAttribute = "lgs:place";
-
 /// The attribute of a project of LDtk with several worlds: the name of the one whose layers are listed.
 inline constexpr const char* kWorldAttribute = "lgs:world";
 

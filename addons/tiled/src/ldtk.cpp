@@ -53,7 +53,7 @@ class LdtkProject {
     if (!layout.empty() && !inRow && !inColumn && layout != "Free" && layout != "GridVania") {
       return world["worldLayout"].fail("is " + layout + ", which is not known");
     }
-    DoublePoint next, min, max;
+    DoublePoint next, min{kInfinite, kInfinite}, max{-kInfinite, -kInfinite};
     std::set<double> depths;
     for (const JsonPlace& level : world["levels"].objects()) {
       if (root_.failed()) return;
@@ -62,9 +62,8 @@ class LdtkProject {
       const DoublePoint at = fallback ? DoublePoint{level["worldX"].number(), level["worldY"].number()} : next;
       if (inRow) next.x += size.x;
       if (inColumn) next.y += size.y;
-      min = depths.empty() ? at : DoublePoint{std::min(min.x, at.x), std::min(min.y, at.y)};
-      const DoublePoint end{at.x + size.x, at.y + size.y};
-      max = depths.empty() ? end : DoublePoint{std::max(max.x, end.x), std::max(max.y, end.y)};
+      min = {std::min(min.x, at.x), std::min(min.y, at.y)};
+      max = {std::max(max.x, at.x + size.x), std::max(max.y, at.y + size.y)};
       depths.insert(level["worldDepth"].number(0));
       readLevel(level, at, to);
     }

@@ -27,11 +27,6 @@ double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
   return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
 }
 
-void setAgain(pugi::xml_node node, const char* name, const std::string& value) {
-  node.remove_attribute(name);
-  setAttribute(node, name, value);
-}
-
 /// The worlds of all layers that are wanted; or, if tile layers were chosen and some are wanted, of these alone.
 std::set<std::string> wantedWorlds(const std::vector<Layer>& layers, const Options& options) {
   std::set<std::string> all, ofTiles;
@@ -73,12 +68,11 @@ void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>&
   if (world.attribute(kLdtkDepthsAttribute)) {
     notes.push_back("levels at different depths are imported over each other: choose some by --layer");
   }
-  setAgain(root, "tilewidth", numberText(grid));
-  setAgain(root, "tileheight", numberText(grid));
+  setNumbers(root, {{"tilewidth", grid}, {"tileheight", grid}});
   for (const auto& [pixels, tiles] : {std::pair(kLdtkWidthAttribute, "width"), {kLdtkHeightAttribute, "height"}}) {
     const double side = std::ceil(file.real(world, pixels) / grid);
     if (!(side <= kMostTiles)) return file.fail(root, "its levels are too far apart");
-    setAgain(root, tiles, numberText(side));
+    setNumbers(root, {{tiles, side}});
   }
   if (options.blockFrom == BlockFrom::layer) return;
   options.blockFrom = BlockFrom::tileClass;

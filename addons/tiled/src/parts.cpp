@@ -84,7 +84,7 @@ void readTileObject(CollisionObject object, MapSource& source, const Options& op
   if (object.gidFrom && object.gidFrom->error) return leftOut("its template " + message(*object.gidFrom->error));
   if (!tileset || number < tileset->firstGid) return leftOut("its tile belongs to no tileset");
   if (!budget.tile(*tileset, number - tileset->firstGid)) return;
-  Tile tile = tileAt(*tileset, number - tileset->firstGid);
+  Tile tile = tileset->tile(number - tileset->firstGid);
   if (isLeftOut(tile, options)) tile.objects.clear();
   squareAsAsked(tile, {}, options);
   if (tile.objects.empty()) return leftOut("its tile has no collision shapes");
@@ -98,14 +98,11 @@ void readTileObject(CollisionObject object, MapSource& source, const Options& op
     drawn.hidden |= object.hidden;
     CollisionObject shape = asAsked(drawn, options);
     if (!budget.shape(shape.points.size())) return;
-    std::vector<Outline> all = outlines(shape);
-    for (Outline& outline : all) {
-      for (DoublePoint& p : outline) {
-        const DoublePoint inBox = frame.toCell(p);
-        const DoublePoint q = turned({inBox.x - part.x * size.x, part.y * size.y - inBox.y}, object.rotation);
-        p = {object.at.x + q.x, -(object.at.y + q.y)};
-      }
-    }
+    const std::vector<Outline> all = outlines(shape, [&](DoublePoint p) {
+      const DoublePoint inBox = frame.toCell(p);
+      const DoublePoint q = turned({inBox.x - part.x * size.x, part.y * size.y - inBox.y}, object.rotation);
+      return DoublePoint{object.at.x + q.x, -(object.at.y + q.y)};
+    });
     shape.id = object.id;
     for (const std::string& name : {object.className, tile.className})
       if (shape.className.empty()) shape.className = name;
@@ -149,11 +146,9 @@ void cutTile(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, c
   for (const CollisionObject& drawn : tile.objects) {
     CollisionObject object = asAsked(drawn, options);
     if (object.className.empty()) object.className = tile.className;
-    std::vector<Outline> points = outlines(object);
-    for (Outline& outline : points)
-      for (DoublePoint& p : outline) p = frame.toCell(p);
+    const auto toCell = [&](DoublePoint p) { return frame.toCell(p); };
     double out = 0;
-    cutObject(object, points, grid, kMaxReach, budget, notes, [&](Cell shift, const Polygon& ring) {
+    cutObject(object, outlines(object, toCell), grid, kMaxReach, budget, notes, [&](Cell shift, const Polygon& ring) {
       out = std::max(out, reach(shift, ring, grid));
       sink(shift, ring, object);
     });
@@ -173,10 +168,7 @@ void readObjects(MapSource& source, const Layer& layer, const Options& options, 
       readTileObject(std::move(object), source, options, budget, sink);
       continue;
     }
-    std::vector<Outline> all = outlines(object);
-    for (Outline& outline : all)
-      for (DoublePoint& p : outline) p.y = -p.y;
-    sink(object, all);
+    sink(object, outlines(object, [](DoublePoint p) { return DoublePoint{p.x, -p.y}; }));
   }
 }
 

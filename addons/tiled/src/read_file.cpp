@@ -10,7 +10,6 @@
 #include <cerrno>
 #endif
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -92,27 +91,31 @@ std::vector<std::string> namesIn(const fs::path& folder, std::error_code& failed
 
 /// Whether a folder is the root of a project: of a game, or of its maps.
 bool isProject(const fs::path& folder) {
-  constexpr std::array<std::string_view, 8> kNames{".git",         "package.json", "project.godot",  "Cargo.toml",
-                                                   "build.gradle", "pom.xml",      "pyproject.toml", "go.mod"};
-  constexpr std::array<std::string_view, 4> kExtensions{".tiled-project", ".ldtk", ".sln", ".csproj"};
   std::error_code ignored;
   const std::vector<std::string> names = namesIn(folder, ignored);
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return has(kNames, name) || has(kExtensions, fs::path(name).extension().string());
+    return isOneOf(name, {".git", "package.json", "project.godot", "Cargo.toml", "build.gradle", "pom.xml",
+                          "pyproject.toml", "go.mod"}) ||
+           isOneOf(fs::path(name).extension().string(), {".tiled-project", ".ldtk", ".sln", ".csproj"});
   });
 }
 
+/// What lies in folders, by its name in lower case. Each is listed once, as a map may name many files that are missing.
+using Listed = std::map<fs::path, std::multimap<std::string, std::string>>;
+
 /// The file below a folder whose path differs from this one by upper and lower case alone, both as they really lie; or
 /// nothing.
-std::optional<std::string> otherCase(const fs::path& folder, const fs::path& path) {
+std::optional<std::string> otherCase(const fs::path& folder, const fs::path& path, Listed& listed) {
   fs::path found = folder;
   for (const fs::path& step : path.lexically_relative(folder)) {
+    const auto [all, isNew] = listed.try_emplace(found);
     std::error_code ignored;
-    std::string best;
-    for (const std::string& name : namesIn(found, ignored))
-      if (name == step.string() || (best != step.string() && lower(name) == lower(step.string()))) best = name;
-    if (best.empty()) return std::nullopt;
-    found /= best;
+    if (isNew)
+      for (const std::string& name : namesIn(found, ignored)) all->second.emplace(lower(name), name);
+    const auto [from, to] = all->second.equal_range(lower(step.string()));
+    if (from == to) return std::nullopt;
+    const auto same = std::find_if(from, to, [&](const auto& one) { return one.second == step.string(); });
+    found /= (same == to ? from : same)->second;
   }
   return found.generic_string();
 }
@@ -175,6 +178,7 @@ tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const 
   if (trusting.filesIn.empty() && !options.filesAnywhere) trusting.filesIn = projectFolder(path);
   const FileReader below = readerBelow(trusting.filesIn);
   std::vector<std::string> notes;
+  Listed listed;
   const FileReader reader = [&](const std::string& name) -> tl::expected<std::string, std::string> {
     if (name == path || options.filesAnywhere) return readFile(name);
     auto text = below(name);
@@ -182,7 +186,7 @@ tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const 
     std::error_code failed;
     const fs::path folder = fs::canonical(trusting.filesIn, failed),
                    file = fs::weakly_canonical(fs::absolute(name), failed);
-    const std::optional<std::string> other = failed ? std::nullopt : otherCase(folder, file);
+    const std::optional<std::string> other = failed ? std::nullopt : otherCase(folder, file, listed);
     if (!other || *other == file.generic_string()) return text;
     notes.push_back(name + " is read from " + *other + ", which differs by upper and lower case");
     return readerBelow(folder.generic_string())(*other);

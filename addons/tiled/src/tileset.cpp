@@ -36,8 +36,8 @@ Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
 void readContent(const XmlFile& file, pugi::xml_node node, Templates& templates, Tileset& tileset) {
   tileset.name = node.attribute("name").value();
   if (tileset.name.empty()) tileset.name = std::filesystem::path(file.name()).stem().string();
-  tileset.tileSize = {static_cast<double>(file.integer(node, "tilewidth", std::nullopt, 1, kMaxPixels)),
-                      static_cast<double>(file.integer(node, "tileheight", std::nullopt, 1, kMaxPixels))};
+  tileset.plain.size = {static_cast<double>(file.integer(node, "tilewidth", std::nullopt, 1, kMaxPixels)),
+                        static_cast<double>(file.integer(node, "tileheight", std::nullopt, 1, kMaxPixels))};
   if (node.child("image")) {
     tileset.tileCount = static_cast<std::uint32_t>(file.integer(node, "tilecount", 0, 0, kMaxGid));
   }
@@ -47,7 +47,8 @@ void readContent(const XmlFile& file, pugi::xml_node node, Templates& templates,
   tileset.alignment = node.attribute("objectalignment").value();
   for (const auto tile : node.children("tile")) {
     const auto id = static_cast<std::uint32_t>(file.integer(tile, "id", std::nullopt, 0, kMaxGid));
-    tileset.tiles.emplace(id, readTile(file, tile, templates));
+    Tile& read = tileset.tiles.emplace(id, readTile(file, tile, templates)).first->second;
+    if (read.size.x == 0 || read.size.y == 0) read.size = tileset.plain.size;
     if (file.failed()) return;
   }
 }
@@ -116,7 +117,8 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& template
     if (!isOfMap || !(file.isMissing() || file.isRefused())) map.fail(node, std::move(what));
     tileset.name = std::filesystem::path(source).stem().string();
     tileset.missing = std::move(what);
-    for (auto [side, attribute] : {std::pair(&tileset.tileSize.x, "tilewidth"), {&tileset.tileSize.y, "tileheight"}})
+    for (auto [side, attribute] :
+         {std::pair(&tileset.plain.size.x, "tilewidth"), {&tileset.plain.size.y, "tileheight"}})
       *side = static_cast<double>(map.integer(map.root(), attribute, 0, 0, kMaxPixels));
     return tileset;
   }
@@ -125,15 +127,8 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& template
 }
 
 const Tile& Tileset::tile(std::uint32_t id) const {
-  static const Tile kPlain;
   const auto found = tiles.find(id);
-  return found == tiles.end() ? kPlain : found->second;
-}
-
-Tile tileAt(const Tileset& tileset, std::uint32_t id) {
-  Tile tile = tileset.tile(id);
-  if (tile.size.x == 0 || tile.size.y == 0) tile.size = tileset.tileSize;
-  return tile;
+  return found == tiles.end() ? plain : found->second;
 }
 
 bool squareAsAsked(Tile& tile, const Properties& layer, const Options& options) {
@@ -208,15 +203,14 @@ void reshape(Tileset& tileset, const TileTable& table) {
     const auto rows = table.find(name);
     if (rows == table.end()) continue;
     for (const auto& [id, shape] : rows->second) {
-      Tile& tile = tileset.tiles[id];
+      Tile& tile = tileset.tiles.try_emplace(id, tileset.plain).first->second;
       tile.objects.clear();
       tile.isSettled = true;
       if (shape.outline.empty()) continue;
-      const DoublePoint size = tileAt(tileset, id).size;
       CollisionObject& object = tile.objects.emplace_back();
       object.kind = shape.oneWay ? CollisionObject::Kind::polyline : CollisionObject::Kind::polygon;
       if (shape.oneWay && tile.className.empty()) object.className = "one-way";
-      for (const DoublePoint p : shape.outline) object.points.push_back({p.x * size.x, (1 - p.y) * size.y});
+      for (const DoublePoint p : shape.outline) object.points.push_back({p.x * tile.size.x, (1 - p.y) * tile.size.y});
     }
   }
 }

@@ -10,7 +10,7 @@ namespace lgs::tiled {
 
 struct Tile {
   std::string className;
-  DoublePoint size;  ///< of its image, pixels; 0: that of the tileset's tiles
+  DoublePoint size;  ///< of its image, pixels
   Properties properties;
   std::vector<CollisionObject> objects;  ///< from the Tile Collision Editor
   bool isSettled = false;                ///< Options::tiles says what it is: no rule makes it a full square
@@ -19,20 +19,16 @@ struct Tile {
 struct Tileset {
   std::string name;
   std::uint32_t firstGid = 1;
-  std::uint32_t tileCount = 0;  ///< 0: unknown, any id may occur
-  DoublePoint tileSize;
+  std::uint32_t tileCount = 0;                    ///< 0: unknown, any id may occur
+  Tile plain;                                     ///< what a tile is for which the file has no <tile>
   DoublePoint offset;                             ///< by which tiles are drawn aside, pixels, y down
   bool fitToGrid = false;                         ///< images are scaled to the size of the map's tiles
   std::string alignment;                          ///< which point of a tile object is its place; empty: the default
   std::string missing;                            ///< why its file is not there; then no tile has shapes or properties
   std::unordered_map<std::uint32_t, Tile> tiles;  ///< by id; only those that the file has a <tile> for
 
-  /// A tile; one without shapes if the file has no <tile> for it.
   const Tile& tile(std::uint32_t id) const;
 };
-
-/// A copy of a tile, with the size of its image.
-Tile tileAt(const Tileset& tileset, std::uint32_t id);
 
 /// Gives each tile that a table names the shape that the table says, instead of its own ones.
 void reshape(Tileset& tileset, const TileTable& table);

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 namespace lgs::tiled {
 namespace {
 
-/// A longer word stands before a shorter one that is in it, as reports name the first that fits.
+/// A longer word stands before a shorter one that is in it, as reports name the first that fits. Those of kLong letters
+/// are known with a letter wrong as well: "Obsticles", "Plataformas".
+constexpr std::size_t kLong = 8;
 constexpr auto kCollision = std::to_array<std::string_view>(
     {"collision", "collider", "collidable", "collides",   "collide", "collid",   "collis",
      "colid",     "colis",    "kollis",     "hitbox",     "solid",   "blocked",  "blocking",
@@ -20,20 +23,20 @@ constexpr auto kFloors = std::to_array<std::string_view>({"ground", "floor", "te
 constexpr auto kParts = std::to_array<std::string_view>({"platform", "block", "brick", "pipe", "bloque", "bloco"});
 
 /// Words that are too short to be looked for in others.
-constexpr auto kWholeWords = std::to_array<Saying>({{Says::ground, "mur", Ground::wall},
-                                                    {Says::ground, "murs", Ground::wall},
-                                                    {Says::ground, "sol", Ground::floor},
-                                                    {Says::ground, "ramp", Ground::floor},
-                                                    {Says::ground, "ramps", Ground::floor}});
+constexpr auto kWholeWalls = std::to_array<std::string_view>({"mur", "murs"});
+constexpr auto kWholeFloors = std::to_array<std::string_view>({"sol", "ramp", "ramps"});
 
-/// Words that are long enough to be known with a letter wrong: "Obsticles", "Plataformas".
-constexpr auto kLongWords = std::to_array<Saying>({{Says::collision, "collision"},
-                                                   {Says::collision, "collider"},
-                                                   {Says::collision, "collidable"},
-                                                   {Says::collision, "obstacle"},
-                                                   {Says::collision, "impassable"},
-                                                   {Says::collision, "boundary"},
-                                                   {Says::ground, "platform", Ground::part}});
+struct Words {
+  Saying are;
+  std::span<const std::string_view> words;
+  bool areWhole = false;
+};
+constexpr auto kWords = std::to_array<Words>({{{Says::collision}, kCollision},
+                                              {{Says::ground, {}, Ground::wall}, kWalls},
+                                              {{Says::ground, {}, Ground::wall}, kWholeWalls, true},
+                                              {{Says::ground, {}, Ground::floor}, kFloors},
+                                              {{Says::ground, {}, Ground::floor}, kWholeFloors, true},
+                                              {{Says::ground, {}, Ground::part}, kParts}});
 
 /// Words that turn the one after them into its opposite, or that are written together with it.
 constexpr auto kNot = std::to_array<std::string_view>({"anti", "no", "non", "not", "un", "without"});
@@ -62,15 +65,15 @@ constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "backgrou
 
 /// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
 constexpr auto kPassableBegins =
-    std::to_array<std::string_view>({"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "rope",
-                                     "sensor", "spike", "trigger", "vine"});
+    std::to_array<std::string_view>({"damag", "dead", "death", "echel", "escad", "escaler", "hazard", "hurt", "kill",
+                                     "ladder", "leiter", "lethal", "rope", "sensor", "spike", "trigger", "vine"});
 constexpr auto kFluidBegins =
     std::to_array<std::string_view>({"acid", "empty", "hole", "lava", "pit", "void", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties = std::to_array<std::string_view>(
-    {"category", "col", "color", "colour", "filter", "friction", "group", "height", "id", "index", "mask", "message",
-     "name", "script", "sound", "speed", "type", "world"});
+    {"category", "col",  "color",  "colour", "filter", "friction", "group", "height", "id", "index", "mask",
+     "message",  "name", "script", "sound",  "speed",  "type",     "width", "world",  "x",  "y"});
 
 /// Whether a word begins with one of a list.
 template <class List>
@@ -116,21 +119,21 @@ std::vector<std::string> wordsIn(std::string_view name) {
 Saying sayingOf(std::string_view text) {
   for (const std::string_view no : kNot)
     if (text.starts_with(no) && begins(kPassed, text.substr(no.size()))) return {Says::collision, "not passable"};
-  const auto fits = [&](std::string_view word) {
+  const auto fits = [&](std::string_view word, bool isWhole) {
     const std::size_t at = text.find(word);
-    return at != std::string_view::npos && !isOther(text.substr(0, at)) && !has(kNot, text.substr(0, at)) &&
-           !isOther(text.substr(at + word.size()));
+    return isWhole ? text == word
+                   : at != std::string_view::npos && !isOther(text.substr(0, at)) && !has(kNot, text.substr(0, at)) &&
+                         !isOther(text.substr(at + word.size()));
   };
-  const auto find = [&](const auto& list) { return std::find_if(list.begin(), list.end(), fits); };
-  if (const auto at = find(kCollision); at != kCollision.end()) return {Says::collision, *at};
-  if (const auto at = find(kWalls); at != kWalls.end()) return {Says::ground, *at, Ground::wall};
-  if (const auto at = find(kFloors); at != kFloors.end()) return {Says::ground, *at, Ground::floor};
-  if (const auto at = find(kParts); at != kParts.end()) return {Says::ground, *at, Ground::part};
-  for (const Saying& one : kWholeWords)
-    if (one.word == text) return one;
-  for (const Saying& one : kLongWords)
-    if (nearlyBegins(text, one.word)) return one;
-  return {};
+  const auto isNear = [&](std::string_view word, bool) { return word.size() >= kLong && nearlyBegins(text, word); };
+  const auto find = [](const auto& isIt) {
+    for (const auto& [are, words, areWhole] : kWords)
+      for (const std::string_view word : words)
+        if (isIt(word, areWhole)) return Saying{are.says, word, are.ground};
+    return Saying{};
+  };
+  const Saying found = find(fits);
+  return found.says == Says::nothing ? find(isNear) : found;
 }
 
 template <class IsOther>
@@ -159,7 +162,12 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
 }  // namespace
 
 Saying saying(std::string_view name) {
-  return sayingOf(wordsIn(name), [](std::string_view word) { return word != "player" && isOther(word); });
+  const auto isFore = [](std::string_view word) { return isOneOf(word, {"foreground", "fg"}); };
+  const std::vector<std::string> words = wordsIn(name);
+  const bool isSeen = std::any_of(words.begin(), words.end(), isFore);
+  const Saying said =
+      sayingOf(words, [&](std::string_view word) { return word != "player" && !isFore(word) && isOther(word); });
+  return isSeen && said.says == Says::ground && !said.isFloor() ? Saying{} : said;
 }
 
 Saying sayingOfProperty(std::string_view name) {
@@ -167,18 +175,15 @@ Saying sayingOfProperty(std::string_view name) {
 }
 
 Uses usesOf(std::string_view name) {
-  constexpr auto kMain = std::to_array<std::string_view>({"level", "main", "map", "tile", "tiles"});
-  constexpr auto kForeground = std::to_array<std::string_view>({"foreground", "fg"});
-  constexpr auto kBackground = std::to_array<std::string_view>({"background", "bg"});
   Uses uses;
   const std::vector<std::string> words = wordsIn(name);
   for (const std::string& word : words) {
     uses.isOther |= isOther(word);
     uses.isPassable |= begins(kPassableBegins, word);
-    uses.isGoneThrough |= uses.isPassable || begins(kFluidBegins, word) || has(kBackground, word);
+    uses.isGoneThrough |= uses.isPassable || begins(kFluidBegins, word) || isOneOf(word, {"background", "bg"});
     uses.isPassage |= begins(kPassed, word);
-    uses.isMain |= words.size() == 1 && has(kMain, word);
-    uses.isForeground |= has(kForeground, word);
+    uses.isMain |= words.size() == 1 && isOneOf(word, {"level", "main", "map", "tile", "tiles"});
+    uses.isForeground |= isOneOf(word, {"foreground", "fg"});
     uses.isOnlySeen |= has(kSeen, word) || begins(kSeenBegins, word);
   }
   uses.isPassage = uses.isPassage && saying(name).says == Says::nothing;
@@ -223,8 +228,13 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
 }
 
 std::string noIn(const std::string& property, const std::string& value) {
-  const bool isNo =
-      !saysYes(value) && property.find('=') == std::string::npos && sayingOfProperty(property).says == Says::collision;
+  if (property.find('=') != std::string::npos) return "";
+  const bool isOpposite = std::any_of(kNot.begin(), kNot.end(), [&](std::string_view no) {
+    const auto words =
+        lower(property).starts_with(no) ? wordsIn(property.substr(no.size())) : std::vector<std::string>{};
+    return !words.empty() && sayingOf(words.front()).says == Says::collision;
+  });
+  const bool isNo = saysYes(value) ? isOpposite : sayingOfProperty(property).says == Says::collision;
   return isNo ? property + "=" + value : "";
 }
 
@@ -243,7 +253,13 @@ Saying sayingOf(pugi::xml_node node, std::string* why) {
   for (const auto& [property, value] : properties) {
     if (saysYes(value)) hear(sayingOfProperty(property), "its property '" + property + "' says so");
   }
-  const bool isPart = strongest.says == Says::ground && strongest.ground == Ground::part;
+  const Uses uses = usesOf(node.attribute("name").value());
+  const bool isForOthers = uses.isOther || uses.isOnlySeen;  // than its group is
+  const auto group = node.parent();
+  if (strongest.says == Says::nothing && !isForOthers && std::string_view(group.name()) == "group" &&
+      !group.attribute(kPlaceAttribute))
+    strongest = sayingOf(group, why);
+  const bool isPart = strongest.says == Says::ground && strongest.isPart();
   return isPart && node.attribute(kThingsAttribute) ? Saying{} : strongest;
 }
 

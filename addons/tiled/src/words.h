@@ -33,12 +33,13 @@ struct Saying {
 
   bool isWall() const { return says == Says::ground && ground == Ground::wall; }
   bool isFloor() const { return says == Says::ground && ground == Ground::floor; }
+  bool isPart() const { return ground == Ground::part; }
 };
 
 /// Names are taken apart into words at capitals, digits and signs; "innerwalls" has "wall" in it as well. A long word
 /// may have a letter wrong. A name with a word for another use says nothing: "wall decoration", "kill-collision",
-/// "firewall"; nor does one that says the opposite: "noncollidable", "wall, no collision". What stands around an "and"
-/// is judged by itself.
+/// "firewall"; nor does one that says the opposite: "noncollidable". What stands around an "and" is judged by itself.
+/// The ground can be in the foreground; walls there are drawn above the player.
 Saying saying(std::string_view name);
 
 /// The same for the name of a property, which may be about what is solid without saying that it is: "collidesWith",
@@ -69,6 +70,7 @@ template <class List, class Value>
 bool has(const List& list, const Value& value) {
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
+inline bool isOneOf(std::string_view name, std::initializer_list<std::string_view> names) { return has(names, name); }
 
 /// "A, B, C and 4 more"
 std::string listed(const std::vector<std::string>& names, std::size_t most = 8);
@@ -85,16 +87,20 @@ std::string propertyIn(const std::string& rule);
 /// The first of some rules, "NAME" or "NAME=VALUE", that the properties fit; null if they fit none.
 const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties);
 
-/// Whether a property says that something is not solid: "solid=false". Then this is a rule for it; otherwise "".
+/// Whether a property says that something is not solid: "solid=false", "NoCollide=1". Then this is a rule for it;
+/// otherwise "".
 std::string noIn(const std::string& property, const std::string& value);
 
 /// The attribute of an object layer whose objects are things with a name of their own, such as entities of LDtk. Of
 /// them "platform" or "block" says nothing: it may be a thing that moves.
 inline constexpr const char* kThingsAttribute = "lgs:things";
 
+/// The attribute of a group that is a place for layers, such as a level, and no part of their names.
+inline constexpr const char* kPlaceAttribute = "lgs:place";
+
 /// The strongest that is said by the name of an element and its class, and of an object layer by the properties that
-/// say yes; of equals the first. (A property of a tile layer is a rule for its tiles.) The reason in words goes into
-/// `why`.
+/// say yes; of equals the first. (A property of a tile layer is a rule for its tiles.) If it says nothing, its group may
+/// say it. The reason in words goes into `why`.
 Saying sayingOf(pugi::xml_node node, std::string* why = nullptr);
 
 }  // namespace lgs::tiled

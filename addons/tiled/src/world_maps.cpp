@@ -3,7 +3,6 @@
 #include "regexp.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
@@ -37,7 +36,7 @@ class WorldMaps {
 
   void listFolder() {
     if (file_.failed()) return;
-    const std::string folder = std::filesystem::path(file_.name()).parent_path().generic_string();
+    const std::string folder = folderOf(file_.name());
     if (!lister_) {
       return file_.fail(file_.root().child("pattern"),
                         "takes maps by the names of the files in its folder, and nothing lists them: give importMap() "

@@ -6,7 +6,6 @@
 
 #include <fast_float/fast_float.h>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -46,7 +45,7 @@ std::string whyNotToRead(std::string named, std::string_view kind) {
   if (kind == "map" && path.parent_path().empty()) return {};  // as all maps of a world mostly lie: in its folder
   const std::string ofXml = kind == "tileset" ? ".tsx" : kind == "template" ? ".tx" : ".tmx";
   const std::string ofJson = ofXml.substr(0, ofXml.size() - 1) + "j";
-  if (has(std::array<std::string, 4>{ofXml, ofJson, ".json", ".xml"}, lower(path.extension().string()))) return {};
+  if (isOneOf(lower(path.extension().string()), {ofXml, ofJson, ".json", ".xml"})) return {};
   return concat("it has not the extension of a ", kind, ", such as ", ofXml,
                 ". If the map can be trusted: Options::filesAnywhere");
 }

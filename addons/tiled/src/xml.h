@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -49,6 +50,8 @@ inline void join(std::string& list, std::string_view text, const char* between =
 /// A number, which may have blanks around it and a plus; nothing for anything else. A real is finite.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseReal(std::string_view text);
+
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A number in the fewest digits that mean the same.
 std::string numberText(double value);

@@ -11,6 +11,13 @@ Options with(std::size_t bytes, std::size_t work, std::size_t cells) {
   return options;
 }
 
+TEST(TiledBudget, NoLimitIsTooLarge) {
+  constexpr std::size_t kMost = ~std::size_t{0};
+  Budget budget(with(kMost, kMost, kMost));
+  EXPECT_TRUE(budget.read(1'000));
+  EXPECT_TRUE(budget.work(kMost / 2));
+}
+
 TEST(TiledBudget, EachByteAllowsForMore) {
   Budget budget(with(10, 5, 0));
   EXPECT_TRUE(budget.work(5));

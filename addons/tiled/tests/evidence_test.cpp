@@ -106,6 +106,29 @@ TEST(TiledEvidence, WallsDrawnBesideObstaclesAreTaken) {
   EXPECT_EQ(map.report.partial, "");
 }
 
+/// Walls are then the picture of what was drawn: they are said, and nothing is missing.
+TEST(TiledEvidence, WallsBesideCollisionsThatWereDrawnAreNoPart) {
+  const std::string drawn = meant::objects("collisions", meant::box(0, 2, 8, 2)), walls = meant::tiles("walls", kRim);
+  const auto map = import(walls + drawn);
+  EXPECT_EQ(map.report.partial, "");
+  EXPECT_EQ(map.report.also, "tile layer walls, of which 0 of 20 tiles are taken");
+}
+
+/// Where bodies are drawn, blocks with coins are, too; but coins that are picked up look the same.
+TEST(TiledEvidence, BoxesBesideAGroundThatWasDrawnAreSaid) {
+  const std::string drawn = meant::objects("Ground", meant::box(0, 2, 8, 2));
+  const auto map = import(drawn + meant::objects("Coins", meant::box(1, 0, 1, 1)) +
+                          meant::objects("Spikes", meant::box(5, 1, 1, 1)));
+  EXPECT_EQ(map.report.also, "object layer Coins, of which nothing is taken");
+  EXPECT_THAT(offersOf(map), ElementsAre("--objects Ground --objects Coins"));
+}
+
+/// What is drawn of the ground as a polyline is a part of it, and has no area.
+TEST(TiledEvidence, APolylineOfTheGroundIsAPart) {
+  const auto map = import(meant::objects("ground", meant::box(0, 2, 8, 2) + meant::line(0, 1, 3)));
+  EXPECT_EQ(map.report.partial, "object layer ground, of which 1 open polyline is left out");
+}
+
 /// The author means spikes that hurt, with pictures whose tile has a shape, and platforms to stand on.
 TEST(TiledEvidence, ThingsWithPicturesAreNoCollisionLayer) {
   const std::string spikes = meant::objects("obstacles", meant::figure(1, 1) + meant::figure(5, 1));

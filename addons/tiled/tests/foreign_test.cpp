@@ -52,5 +52,27 @@ TEST(TiledForeign, FilesAreNamed) {
   EXPECT_EQ(message(map.error()), "maps/a.png: is a PNG image, and no map" + read);
 }
 
+/// A map may name any JSON file of its project: what it does not understand stays there, keys too.
+TEST(TiledForeign, KeysOfOtherFilesAreNotQuoted) {
+  for (const char* tiles :
+       {R"({"secret": 1})", R"({"secret": {}})", R"({"secret": {"objectgroup": {"objects": 1}}})"}) {
+    const Files files{{"maps/test.tmx", mapXml("<tileset firstgid='1' source='a.json'/>")},
+                      {"maps/a.json", R"({"tilewidth": 8, "tileheight": 8, "tiles": )" + std::string(tiles) + "}"}};
+    const auto map = importMap("maps/test.tmx", {}, readerOf(files));
+    ASSERT_FALSE(map);
+    EXPECT_THAT(message(map.error()), AllOf(HasSubstr("maps/a.json"), Not(HasSubstr("secret"))));
+  }
+}
+
+/// However many tilesets are missing, the first line of the report stays one that can be read.
+TEST(TiledForeign, MissingTilesetsAreSummedUp) {
+  std::string sets;
+  for (int k = 1; k <= 1'000; ++k) sets += fmt::format("<tileset firstgid='{0}' source='a{0}.tsx'/>", k);
+  const Files files{{"maps/test.tmx", mapXml(sets + csvLayer(1, 1, "1"))}};
+  const auto map = test::must(importMap("maps/test.tmx", {}, readerOf(files)));
+  EXPECT_THAT(map.report.partial, HasSubstr("a1.tsx"));
+  EXPECT_THAT(map.report.partial, HasSubstr("and 992 more"));
+}
+
 }  // namespace
 }  // namespace lgs::tiled

@@ -92,6 +92,9 @@ std::vector<MeantMap> meantMaps() {
        mapOf(tile('d', none, "spikes"), tiles("ground", "......../...d..../aaaaaaaa/aaaaaaaa")), U},
       {"tiles that say that they are not solid",
        mapOf(tile('d', property("solid", "false")), tiles("ground", "......../...d..../aaaaaaaa/aaaaaaaa")), U},
+      {"tiles that say NoCollide",
+       mapOf(has('d', "NoCollide", "1") + has('e', "not_solid"), tiles("Map", "......../.aaa.d../..e.aaa./........")),
+       P},
       {"a layer of hazards whose tiles have shapes",
        mapOf(shape + tile('d', kShape), tiles("World", U) + tiles("Hazards", "......../...d..../......../........")),
        U},
@@ -244,6 +247,14 @@ std::vector<MeantMap> meantMaps() {
       {"walls in the background are no walls", mapOf(none, tiles("BG Wall", S) + tiles("terrain", U)), U},
       {"ground in a group", mapOf(none, "<group name='Level'>" + tiles("Ground", U) + "</group>" + tiles("Sky", S)), U},
 
+      {"layers without a word in a group that has one",
+       mapOf(none, tiles("Art", B) + "<group name='collisions'>" + tiles("Layer 1", U) + tiles("Layer 2", P) +
+                       tiles("Decoration", D) + "</group>"),
+       "......../.aaa..../aaaaaaaa/aaaaaaaa"},
+      {"where a hitbox begins",
+       mapOf(tile('a', property("type", "solid")) + tile('d', property("hitbox_x", "1")),
+             tiles("Layer 1", "......../......../...d.d../aaaaaaaa")),
+       "......../......../......../aaaaaaaa"},
       {"World and a few blocks",
        mapOf(none, tiles("WorldLayer", U) + tiles("CoinLayer", D) +
                        tiles("BlocksLayer", ".a....../......../......../........")),
@@ -258,6 +269,12 @@ std::vector<MeantMap> meantMaps() {
                        objects("Bricks", box(1, 0, 1, 1)) + objects("Goombas", box(5, 1, 1, 1))),
        ".a....../...a..../aaaaaaaa/aaaaaaaa"},
 
+      {"ground in the foreground",
+       mapOf(none, tiles("Hills (background)", S) + tiles("Ground (foreground)", U) + tiles("Pines (foreground)", D)),
+       U},
+      {"walls in the foreground are pictures", mapOf(none, tiles("Walls", W) + tiles("Foreground Walls", D)), W},
+      {"a ladder of another language",
+       mapOf(none, tiles("escada", ".e....../.e....../.e....../.e......") + tiles("caminho", P)), P},
       {"terrain in two layers, and walls", mapOf(none, tiles("terrain", B) + tiles("terrain2", D) + tiles("walls", W)),
        W},
       {"a wall and more ground, from the side",

@@ -122,9 +122,10 @@ TEST(TiledOutlines, OfWhatHasNone) {
   CollisionObject object;
   object.kind = CollisionObject::Kind::unsupported;
   object.size = {32, 32};
-  EXPECT_TRUE(outlines(object).empty());
+  const auto same = [](DoublePoint p) { return p; };
+  EXPECT_TRUE(outlines(object, same).empty());
   object.kind = CollisionObject::Kind::rectangle;
-  EXPECT_EQ(outlines(object).at(0).size(), 4U);
+  EXPECT_EQ(outlines(object, same).at(0).size(), 4U);
 }
 
 TEST(TiledOutlines, WhatIsLeftOutAndWhy) {

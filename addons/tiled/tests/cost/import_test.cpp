@@ -57,6 +57,12 @@ std::string layer(int side, const std::string& csv, const std::string& attribute
   return "<layer name='a'" + sides + attributes + "><data encoding='csv'>" + csv + "</data></layer>";
 }
 
+/// A layer of one tile.
+std::string named(const std::string& name, int k) {
+  return "<layer name='" + name + " " + std::to_string(k) +
+         "' width='1' height='1'><data encoding='csv'>1</data></layer>";
+}
+
 /// A small triangle somewhere in the first tile.
 std::string triangle(int k) {
   const auto at = [k](int factor) { return std::to_string(k * factor % 2'800 / 100.0).substr(0, 5); };
@@ -187,6 +193,31 @@ TEST(Cost, OfAnImportGrowsWithTheBytesOfTheMap) {
       EXPECT_LT(costPerByte(map), kBlocksPerStep * steps) << attack.name << ", " << map.size() << " bytes";
     }
   }
+}
+
+/// Maps of many layers: what each says is weighed against the others.
+const Attack kManyLayers[] = {
+    {"grounds", [](int n) { return mapOf(set("") + times(n, [](int k) { return named("ground", k); }), 1); }, 250},
+    {"collisions of shapes",
+     [](int n) { return mapOf(set(tile(0, triangle(1))) + times(n, [](int k) { return named("collision", k); }), 1); },
+     250},
+    {"others beside a collision",
+     [](int n) { return mapOf(set("") + named("collision", 0) + times(n, [](int k) { return named("x", k); }), 1); },
+     250},
+    {"bricks with pictures beside layers of tiles",
+     [](int n) {
+       const auto both = [](int k) {
+         const std::string object = "<object id='1' gid='1' width='32' height='32'/></objectgroup>";
+         return named("x", k) + "<objectgroup name='brick " + std::to_string(k) + "'>" + object;
+       };
+       return mapOf(set("") + times(n, both), 1);
+     },
+     250},
+};
+
+TEST(Cost, OfAnImportIsTheSameForEachByteHoweverManyLayersThereAre) {
+  for (const Attack& attack : kManyLayers)
+    EXPECT_LT(costPerByte(attack.map(16 * attack.size)), 2 * costPerByte(attack.map(attack.size))) << attack.name;
 }
 
 }  // namespace
