@@ -73,11 +73,13 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
 /// Chunks that are unloaded and were not, or the other way around: their segments go, and those that show now are new.
 /// So no id is of a hidden segment and then of one that is not. (If both came between two commits, ids stay.)
 void Outline::dropStreamed(const Ground& ground) {
+  hasStreamed_ = false;
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == hidden_.are(chunk->index)) continue;
     clear(*chunk);
     if (journal_) noteHidden(chunk->index);
     hidden_.stream(chunk->index);
+    hasStreamed_ = true;
   }
 }
 

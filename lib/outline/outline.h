@@ -36,7 +36,13 @@ class Outline {
 
   /// Of the last update, without the segments that are hidden.
   const Changes& changes() const { return isFiltered_ ? shown_ : changes_; }
+  /// Whether that update changed segments that are shown, or which chunks are.
+  bool hasShownChange() const {
+    const Changes& shown = changes();
+    return (isFiltered_ && hasStreamed_) || !shown.removed.empty() || !shown.added.empty() || !shown.relinked.empty();
+  }
   std::uint64_t version() const { return version_; }
+  void setVersion(std::uint64_t version) { version_ = version; }
 
   /// How many segments there are that are not hidden.
   std::uint64_t liveCount(const Grid& grid) const;
@@ -116,7 +122,7 @@ class Outline {
   std::vector<std::optional<Seen>> seen(const Grid& grid, const std::vector<std::uint32_t>& ids) const;
   void setState(const State& state) {
     segments.setLength(state.ids);
-    version_ = state.version;
+    setVersion(state.version);
   }
   /// What became of segments since they were `before`, in the order of `ids`.
   void compare(const Grid& grid, const std::vector<std::uint32_t>& ids, const std::vector<std::optional<Seen>>& before,
@@ -143,8 +149,9 @@ class Outline {
   void noteRemoved(std::uint32_t id);
 
   Changes changes_;
-  Changes shown_;            ///< the same without what is hidden, if some of it may be
-  bool isFiltered_ = false;  ///< whether the last update had hidden segments, or unloaded chunks
+  Changes shown_;             ///< the same without what is hidden, if some of it may be
+  bool isFiltered_ = false;   ///< whether the last update had hidden segments, or unloaded chunks
+  bool hasStreamed_ = false;  ///< if it had: whether chunks came or went with it
   HiddenChunks hidden_;
   Versions versions_;
   std::uint64_t version_ = 0;

@@ -178,6 +178,7 @@ void History::travel(const Marked& to, bool isFromRedo, const std::vector<std::u
     take(outline_.changes().relinked, changes.relinked);
   }
   outline_.compare(ground_.grid, ids, before, changes);
+  if (isStreamed && !outline_.hasShownChange()) outline_.setVersion(to.outline.version);  // rims woke, or fell asleep
   if (isStreamed)
     for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
   changes.before = versionBefore_ = version;

@@ -112,8 +112,7 @@ void Editor::carry(Cell cell) {
     return call;
   };
   if (random_.chance(90)) make(Call::commit());
-  // A roll-back beside an unloaded chunk makes a version that other views do not know: a known fault of the engine.
-  if (random_.chance(35) && habits_.memory == 0) {
+  if (random_.chance(35)) {
     Call would = Call::of(foresee);
     for (int k = 1 + random_.below(3); k > 0; --k)
       would.group.push_back(random_.chance(30) ? islandAt(cell) : anyEdit({cell.i - 1, cell.j - 1}));
