@@ -8,9 +8,13 @@
 
 #include <lgs/debug.h>
 
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <string>
 #include <string_view>
+#include <system_error>
 
 namespace {
 
@@ -22,6 +26,13 @@ int complain(const std::string& why) {
 void print(const world_file::Stored& stored) {
   std::printf("%d %d %016llx %zu bytes%s\n", stored.corner.i, stored.corner.j,
               static_cast<unsigned long long>(stored.hash), stored.bytes, stored.isGood ? "" : " damaged");
+}
+
+int list(const world_file::WorldFile& file) {
+  const auto chunks = file.chunks();
+  if (!chunks) return complain(chunks.error());
+  for (const world_file::Stored& stored : *chunks) print(stored);
+  return 0;
 }
 
 int check(const world_file::WorldFile& file) {
@@ -46,14 +57,16 @@ int draw(const world_file::WorldFile& file, const char* picture) {
   return 0;
 }
 
-}  // namespace
-
-int main(int count, char** values) {
+int run(int count, char** values) {
   const std::string_view what = count > 2 ? values[2] : "";
   const bool isDrawn = what == "--svg" && count == 4;
   if (count < 2 || count > 4 || (count > 2 && !isDrawn && (count == 4 || (what != "--check" && what != "--repair"))))
     return complain("usage: lgs_world FILE [--check | --svg PICTURE | --repair]");
-  if (!std::filesystem::exists(values[1])) return complain(std::string("there is no ") + values[1]);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(values[1], error);
+  if (error) return complain(std::string("there is no file ") + values[1]);
+  if (size == 0) return complain(std::string(values[1]) + " is empty");  // open() would make a world of it
+  if (isDrawn && std::filesystem::equivalent(values[1], values[3], error)) return complain("that is the world itself");
   auto file = world_file::WorldFile::open(values[1]);
   if (!file) return complain(file.error());
   if (isDrawn) return draw(*file, values[3]);
@@ -64,5 +77,12 @@ int main(int count, char** values) {
     std::printf("%zu chunks were damaged, and are gone\n", *removed);
     return 0;
   }
-  for (const world_file::Stored& stored : file->chunks()) print(stored);
+  return list(*file);
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  const int status = run(count, values);
+  return std::fflush(stdout) == 0 && !std::ferror(stdout) ? status : complain("cannot write");
 }

@@ -13,7 +13,6 @@ using lgs::CellRect;
 using lgs::GroundHashes;
 
 constexpr int kApplication = 0x4c475357;  // "LGSW": by it `file` and SQLite know whose file it is
-constexpr CellRect kEverywhere{{-lgs::kMaxCell, -lgs::kMaxCell}, {lgs::kMaxCell, lgs::kMaxCell}};
 
 std::string errorOf(sqlite3* file) { return file ? sqlite3_errmsg(file) : "there is no memory left"; }
 
@@ -47,6 +46,7 @@ class Statement {
   bool isDone() const { return code_ == SQLITE_DONE; }
   void reset() { sqlite3_reset(statement_); }
 
+  bool isInteger(int k) const { return sqlite3_column_type(statement_, k) == SQLITE_INTEGER; }
   std::int64_t number(int k) const { return sqlite3_column_int64(statement_, k); }
   std::string text(int k) const {
     const unsigned char* text = sqlite3_column_text(statement_, k);
@@ -67,10 +67,17 @@ std::int64_t asNumber(sqlite3* file, const char* sql) {
   return statement.step() ? statement.number(0) : -1;
 }
 
+constexpr const char* kSelectAll = "SELECT i, j, hash, ground FROM chunk ORDER BY i, j";
 constexpr const char* kSelect =
     "SELECT i, j, hash, ground FROM chunk WHERE i BETWEEN ?1 AND ?3 AND j BETWEEN ?2 AND ?4 ORDER BY i, j";
 
+// SQLite keeps what is no whole number as it is, also in a column of INTEGER.
+constexpr const char* kRemoveNoCells =
+    "DELETE FROM chunk WHERE typeof(i) <> 'integer' OR i NOT BETWEEN -2147483648 AND 2147483647 "
+    "OR typeof(j) <> 'integer' OR j NOT BETWEEN -2147483648 AND 2147483647";
+
 std::optional<Stored> storedOf(const Statement& row) {
+  if (!row.isInteger(0) || !row.isInteger(1)) return {};
   const std::int64_t i = row.number(0), j = row.number(1);
   const Cell corner{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
   if (corner.i != i || corner.j != j || GroundHashes::square(corner, 0).cells.min != corner) return {};
@@ -100,28 +107,35 @@ CellRect wholeChunks(const CellRect& cells) {
 void WorldFile::Close::operator()(sqlite3* file) const { sqlite3_close(file); }
 
 tl::expected<WorldFile, std::string> WorldFile::open(const std::filesystem::path& path) {
+  if (path.empty()) return tl::unexpected(std::string("the path is empty"));
   sqlite3* opened = nullptr;
-  const int code = sqlite3_open_v2(path.string().c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  // As an absolute path: SQLite takes some others for no file, as ":memory:".
+  const int code = sqlite3_open_v2(std::filesystem::absolute(path).string().c_str(), &opened,
+                                   SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   std::unique_ptr<sqlite3, Close> file(opened);
   if (code != SQLITE_OK) return failure(opened);
   sqlite3_busy_timeout(opened, 5'000);
   // A commit returns when the disk has it.
-  if (!run(opened, "PRAGMA synchronous = FULL; BEGIN IMMEDIATE")) return failure(opened);
-  const std::int64_t application = asNumber(opened, "PRAGMA application_id");
-  const std::int64_t version = asNumber(opened, "PRAGMA user_version");
-  if (application == 0 && version == 0 && asNumber(opened, "SELECT count(*) FROM sqlite_schema") == 0) {
+  if (!run(opened, "PRAGMA synchronous = FULL")) return failure(opened);
+  // Only who makes the file has to wait for others, and looks again then.
+  const std::int64_t tables = asNumber(opened, "SELECT count(*) FROM sqlite_schema");
+  if (tables < 0) return failure(opened);
+  if (tables == 0) {
+    if (!run(opened, "BEGIN IMMEDIATE")) return failure(opened);
+    const bool isNew = asNumber(opened, "PRAGMA application_id") == 0 && asNumber(opened, "PRAGMA user_version") == 0 &&
+                       asNumber(opened, "SELECT count(*) FROM sqlite_schema") == 0;
     const std::string make = "PRAGMA application_id = " + std::to_string(kApplication) +
                              "; PRAGMA user_version = " + std::to_string(kVersion) +
                              "; CREATE TABLE chunk (i INTEGER NOT NULL, j INTEGER NOT NULL, hash INTEGER NOT NULL, "
                              "ground BLOB NOT NULL, PRIMARY KEY (i, j)) WITHOUT ROWID";
-    if (!run(opened, make.c_str())) return failure(opened);
-  } else if (application != kApplication) {
-    return tl::unexpected(std::string("this is no world of LocalGridSeg"));
-  } else if (version != kVersion) {
+    if ((isNew && !run(opened, make.c_str())) || !run(opened, "COMMIT")) return failure(opened);
+  }
+  const std::int64_t application = asNumber(opened, "PRAGMA application_id");
+  const std::int64_t version = asNumber(opened, "PRAGMA user_version");
+  if (application != kApplication) return tl::unexpected(std::string("this is no world of LocalGridSeg"));
+  if (version != kVersion)
     return tl::unexpected("the file is of version " + std::to_string(version) + ", and this program reads version " +
                           std::to_string(kVersion));
-  }
-  if (!run(opened, "COMMIT")) return failure(opened);
   return WorldFile(std::move(file));
 }
 
@@ -134,8 +148,14 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
     run(file, "ROLLBACK");
     return why;
   };
+  const auto rollBackAsHashesDiffer = [file] {
+    run(file, "ROLLBACK");
+    return tl::unexpected(std::string("the hashes are not those of the world: commit, and update them first"));
+  };
   std::map<Cell, std::uint64_t> there;
-  Statement select(file, "SELECT i, j, hash FROM chunk WHERE i BETWEEN ?1 AND ?3 AND j BETWEEN ?2 AND ?4");
+  Statement select(file,
+                   "SELECT i, j, hash FROM chunk WHERE i BETWEEN ?1 AND ?3 AND j BETWEEN ?2 AND ?4 "
+                   "AND typeof(i) = 'integer' AND typeof(j) = 'integer'");
   select.bindCorners(wholeChunks(cells));
   while (select.step())
     there[{static_cast<std::int32_t>(select.number(0)), static_cast<std::int32_t>(select.number(1))}] =
@@ -146,7 +166,8 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
     const auto found = there.find(chunk.cells.min);
     const bool isThere = found != there.end() && found->second == chunk.hash;
     if (found != there.end()) there.erase(found);
-    if (isThere) continue;
+    if (isThere || world.firstUnloaded(chunk.cells)) continue;  // what is not in memory stays as it is
+    if (groundHash(world, chunk.cells) != chunk.hash) return rollBackAsHashesDiffer();
     in_step::Bytes bytes;
     in_step::put(bytes, in_step::groundIn(world, chunk.cells));
     put.bind(1, chunk.cells.min.i);
@@ -159,7 +180,9 @@ Done WorldFile::save(const lgs::World& world, const GroundHashes& hashes, const 
   }
   Statement remove(file, "DELETE FROM chunk WHERE i = ?1 AND j = ?2");
   for (const auto& [corner, hash] : there) {
-    if (world.firstUnloaded(GroundHashes::square(corner, 0).cells)) continue;  // it is not in memory, and not gone
+    const CellRect chunk = GroundHashes::square(corner, 0).cells;
+    if (world.firstUnloaded(chunk)) continue;  // it is not in memory, and not gone
+    if (groundHash(world, chunk) != 0) return rollBackAsHashesDiffer();
     remove.bind(1, corner.i);
     remove.bind(2, corner.j);
     remove.step();
@@ -190,12 +213,12 @@ Done WorldFile::load(lgs::World& world, const CellRect& cells) const {
   return {};
 }
 
-std::vector<Stored> WorldFile::chunks() const {
+tl::expected<std::vector<Stored>, std::string> WorldFile::chunks() const {
   std::vector<Stored> found;
-  Statement select(file_.get(), kSelect);
-  select.bindCorners(kEverywhere);
+  Statement select(file_.get(), kSelectAll);
   while (select.step())
     if (const auto stored = storedOf(select)) found.push_back(*stored);
+  if (!select.isDone()) return failure(file_.get());
   return found;
 }
 
@@ -204,8 +227,7 @@ std::vector<Stored> WorldFile::check(std::string& complaint) const {
   complaint = integrity.step() ? integrity.text(0) : errorOf(file_.get());
   if (complaint == "ok") complaint.clear();
   std::vector<Stored> found;
-  Statement select(file_.get(), kSelect);
-  select.bindCorners({{INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX}});
+  Statement select(file_.get(), kSelectAll);
   while (select.step()) {
     const auto stored = storedOf(select);
     found.push_back(stored.value_or(Stored{{static_cast<std::int32_t>(select.number(0)),  // where no chunk begins
@@ -218,23 +240,26 @@ std::vector<Stored> WorldFile::check(std::string& complaint) const {
 
 tl::expected<std::size_t, std::string> WorldFile::repair() {
   std::string complaint;
-  std::size_t removed = 0;
   sqlite3* const file = file_.get();
   if (!run(file, "BEGIN IMMEDIATE")) return failure(file);
+  const auto rollBack = [file] {
+    tl::unexpected<std::string> why = failure(file);
+    run(file, "ROLLBACK");
+    return why;
+  };
+  if (!run(file, kRemoveNoCells)) return rollBack();
+  auto removed = static_cast<std::size_t>(sqlite3_changes(file));
   Statement remove(file, "DELETE FROM chunk WHERE i = ?1 AND j = ?2");
   for (const Stored& stored : check(complaint)) {
     if (stored.isGood) continue;
     remove.bind(1, stored.corner.i);
     remove.bind(2, stored.corner.j);
     remove.step();
+    if (!remove.isDone()) return rollBack();
     remove.reset();
     ++removed;
   }
-  if (!run(file, "COMMIT")) {
-    tl::unexpected<std::string> why = failure(file);
-    run(file, "ROLLBACK");
-    return why;
-  }
+  if (!run(file, "COMMIT")) return rollBack();
   if (!complaint.empty()) return tl::unexpected(complaint);
   return removed;
 }

@@ -1,8 +1,9 @@
-// Worlds in files: what was said to be written is there, wherever the writer is killed; what is damaged is found.
-#include "addons/files/world_file.h"
+// Worlds in files: what was said to be written is there, wherever the writer is killed.
+#include "files.h"
+#include "proptests/support/law.h"
 #include "proptests/support/must.h"
+#include "proptests/support/traces.h"
 
-#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,56 +12,13 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <map>
 #include <random>
 #include <string>
 
 namespace lgs::test {
 namespace {
-
-using world_file::WorldFile;
-
-constexpr CellRect kAll{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
-
-/// A path of its own for each test; nothing is there.
-std::filesystem::path freshPath() {
-  const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const auto path = std::filesystem::temp_directory_path() / (name + std::to_string(getpid()) + ".lgsw");
-  std::filesystem::remove(path);
-  return path;
-}
-
-WorldFile opened(const std::filesystem::path& path) {
-  auto file = WorldFile::open(path);
-  EXPECT_TRUE(file) << file.error();
-  return std::move(*file);
-}
-
-/// What is done in a turn: in three chunks at once, with a block that names the turn.
-void play(World& world, std::uint32_t turn) {
-  const std::int32_t i = static_cast<std::int32_t>(turn * 37 % 64) - 32,
-                     j = static_cast<std::int32_t>(turn * 11 % 64) - 32;
-  for (const Cell cell : {Cell{i, j}, Cell{-1 - i, j}, Cell{i, -1 - j}}) {
-    EXPECT_TRUE(world.clear(cell));
-    if (turn % 5 == 0) continue;
-    EXPECT_TRUE(world.add(cell, {{0, 0}, {kUnitsPerCell, 0}, {0, static_cast<std::int32_t>(turn % 1'000) + 1}}, turn));
-  }
-}
-
-void save(WorldFile& file, const World& world) {
-  const auto done = file.save(world, GroundHashes(world), kAll);
-  EXPECT_TRUE(done) << done.error();
-}
-
-World loaded(const WorldFile& file, const CellRect& cells = kAll) {
-  World world;
-  const auto done = file.load(world, cells);
-  EXPECT_TRUE(done) << done.error();
-  world.commit();
-  return world;
-}
 
 TEST(WorldFile, KeepsWhatIsOnlyNotInMemory) {
   const auto path = freshPath();
@@ -79,7 +37,7 @@ TEST(WorldFile, KeepsWhatIsOnlyNotInMemory) {
   ASSERT_TRUE(world.clear({{-32, -32}, {-1, -1}}));
   world.commit();
   save(file, world);
-  EXPECT_EQ(file.chunks().size(), 3U) << "what was emptied is gone, and what was unloaded is not";
+  EXPECT_EQ(must(file.chunks()).size(), 3U) << "what was emptied is gone, and what was unloaded is not";
   EXPECT_FALSE(file.load(world, kAll)) << "its ground is not in memory";
   ASSERT_TRUE(world.reload(left));
   world.commit();
@@ -93,9 +51,9 @@ TEST(WorldFile, HoldsTheGroundChunkByChunk) {
   world.commit();
   {
     WorldFile file = opened(path);
-    EXPECT_TRUE(file.chunks().empty());
+    EXPECT_TRUE(must(file.chunks()).empty());
     save(file, world);
-    EXPECT_EQ(file.chunks().size(), 4U);
+    EXPECT_EQ(must(file.chunks()).size(), 4U);
   }
   WorldFile file = opened(path);
   EXPECT_TRUE(samePolygons(loaded(file), world));
@@ -105,9 +63,64 @@ TEST(WorldFile, HoldsTheGroundChunkByChunk) {
   EXPECT_TRUE(samePolygons(loaded(file, {{3, 3}, {4, 4}}), part));
   const auto done = file.save(World(), GroundHashes(World()), {{0, 0}, {31, 31}});  // it is empty there
   EXPECT_TRUE(done) << done.error();
-  EXPECT_EQ(file.chunks().size(), 3U) << "and elsewhere nothing is said";
+  EXPECT_EQ(must(file.chunks()).size(), 3U) << "and elsewhere nothing is said";
   ASSERT_TRUE(file.load(world, {{0, 0}, {5, 5}}));
   EXPECT_EQ(groundHash(world, {{0, 0}, {31, 31}}), 0U) << "what stood there before is gone";
+}
+
+/// The hash of each chunk of a world that has ground.
+std::map<Cell, std::uint64_t> hashesOf(const World& world) {
+  std::map<Cell, std::uint64_t> hashes;
+  for (const HashedSquare& chunk : GroundHashes(world).hashes(kAll)) hashes[chunk.cells.min] = chunk.hash;
+  return hashes;
+}
+
+/// Chunks leave memory and come back, and the world is saved at any moment when no edit is pending.
+LGS_LAW(WorldFile, HoldsWhatWasInMemoryAtEachSave, 40, (Chance chance)) {
+  const auto path = freshPath();
+  WorldFile file = opened(path);
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  GroundHashes hashes(world);
+  std::map<Cell, std::uint64_t> saved;  // by the chunk's lower-left cell
+  std::map<Cell, std::vector<std::byte>> away;
+  const auto commit = [&] { ASSERT_TRUE(hashes.update(world, world.commit())); };
+  for (int k = 0; k < 40; ++k) {
+    const Cell corner{32 * (chance.below(3) - 1), 32 * (chance.below(3) - 1)};
+    const CellRect chunk = GroundHashes::square(corner, 0).cells;
+    if (away.contains(corner) && chance.chance(20)) {
+      if (world.forgetChunks(chunk).value_or(0) == 1) away.erase(corner);  // not before a commit
+    } else if (away.contains(corner)) {
+      ASSERT_TRUE(world.reload(away[corner]));
+      away.erase(corner);
+    } else if (chance.chance(40)) {
+      ASSERT_TRUE(world.unload(
+          chunk, [&](Cell cell, std::span<const std::byte> bytes) { away[cell].assign(bytes.begin(), bytes.end()); }));
+    } else {
+      const Cell cell{corner.i + chance.below(32), corner.j + chance.below(32)};
+      ASSERT_TRUE(world.clear(chance.chance(20) ? chunk : CellRect{cell, cell}));
+      if (chance.chance(80)) {
+        ASSERT_TRUE(world.add(cell, kUnitSquare, static_cast<Block>(chance.below(3))));
+      }
+      commit();
+    }
+    if (chance.chance(50)) commit();
+    if (chance.chance(50)) continue;
+    const CellRect cells = chance.chance(50) ? kAll : chunk;
+    if (file.save(world, hashes, cells)) {
+      const auto isSaved = [&](Cell place) { return contains(cells, place) && !world.firstUnloaded({place, place}); };
+      std::erase_if(saved, [&](const auto& one) { return isSaved(one.first); });
+      for (const HashedSquare& square : hashes.hashes(kAll))
+        if (isSaved(square.cells.min)) saved[square.cells.min] = square.hash;
+    } else {
+      ASSERT_NE(hashes.hash(), GroundHashes(world).hash()) << "nothing but other hashes is refused";
+    }
+    World found;
+    const auto done = file.load(found, kAll);
+    ASSERT_TRUE(done) << done.error();
+    ASSERT_EQ(hashesOf(found), saved);
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(WorldFile, WritesOnlyWhatDiffers) {
@@ -120,53 +133,6 @@ TEST(WorldFile, WritesOnlyWhatDiffers) {
   const auto written = std::filesystem::last_write_time(path);
   save(file, world);
   EXPECT_EQ(std::filesystem::last_write_time(path), written);
-}
-
-TEST(WorldFile, WhatIsDamagedIsFoundAndTheRestIsSaved) {
-  const auto path = freshPath();
-  World world;
-  for (std::uint32_t turn = 1; turn <= 300; ++turn) play(world, turn);
-  world.commit();
-  WorldFile file = opened(path);
-  save(file, world);
-  sqlite3* raw = nullptr;
-  ASSERT_EQ(sqlite3_open(path.string().c_str(), &raw), SQLITE_OK);
-  // The last byte of one chunk is another one, another has another hash, and one stands where no chunk begins.
-  ASSERT_EQ(sqlite3_exec(raw,
-                         "UPDATE chunk SET ground = CAST(substr(ground, 1, length(ground) - 1) || x'7f' AS BLOB) "
-                         "WHERE i = 0 AND j = 0; UPDATE chunk SET hash = hash + 1 WHERE i = 0 AND j = -32; INSERT INTO "
-                         "chunk VALUES (5, 5, 1, x'00')",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  sqlite3_close(raw);
-  std::string complaint;
-  const auto checked = file.check(complaint);
-  EXPECT_TRUE(complaint.empty()) << complaint;
-  EXPECT_EQ(std::ranges::count(checked, false, &world_file::Stored::isGood), 3);
-  World untouched;
-  EXPECT_FALSE(file.load(untouched, kAll));
-  EXPECT_FALSE(untouched.bounds());
-  ASSERT_TRUE(file.load(untouched, {{-32, -32}, {-1, -1}})) << "the others can be read";
-  const auto removed = must(file.repair());
-  EXPECT_EQ(removed, 3U);
-  ASSERT_TRUE(world.clear({{0, -32}, {31, 31}}));
-  EXPECT_TRUE(samePolygons(loaded(file), world));
-}
-
-TEST(WorldFile, AnotherFormatIsRefusedWithBothVersions) {
-  const auto path = freshPath();
-  opened(path);
-  sqlite3* raw = nullptr;
-  ASSERT_EQ(sqlite3_open(path.string().c_str(), &raw), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(raw, "PRAGMA user_version = 7", nullptr, nullptr, nullptr), SQLITE_OK);
-  const auto refused = refusal(WorldFile::open(path));
-  EXPECT_EQ(refused, "the file is of version 7, and this program reads version 1");
-  ASSERT_EQ(sqlite3_exec(raw, "PRAGMA application_id = 9", nullptr, nullptr, nullptr), SQLITE_OK);
-  EXPECT_EQ(WorldFile::open(path).error(), "this is no world of LocalGridSeg");
-  sqlite3_close(raw);
-  std::ofstream(path, std::ios::trunc) << std::string(5'000, 'x');
-  EXPECT_FALSE(WorldFile::open(path));
-  EXPECT_FALSE(WorldFile::open(path / "nowhere"));
 }
 
 /// Goes on from what the file holds, and says each turn once it is written. Never ends.
