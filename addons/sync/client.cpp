@@ -18,6 +18,10 @@ void Client::set(const Ground& ground, const lgs::CellRect& cells) {
 std::vector<Bytes> Client::receive(std::span<const std::byte> message) {
   const auto news = readNews(message);
   if (!news || news->turn < turn_) return {};
+  const bool isOfParts = news->kind == News::Kind::parts;
+  if (news->kind != News::Kind::edits &&
+      open_.erase({isOfParts ? Question::Kind::parts : Question::Kind::ground, news->square}) == 0)
+    return {};  // nobody asked, or it was answered
   const bool isNewTurn = news->turn > turn_;
   turn_ = news->turn;
   theirHash_ = news->hash;
@@ -27,10 +31,8 @@ std::vector<Bytes> Client::receive(std::span<const std::byte> message) {
       if (isNewTurn) set(news->ground, kNoCells);
       return open_.empty() ? tick() : std::vector<Bytes>();
     case News::Kind::parts:
-      open_.erase({Question::Kind::parts, news->square});
       return compare(*news);
     case News::Kind::ground:
-      open_.erase({Question::Kind::ground, news->square});
       set(news->ground, cellsOf(news->square));
   }
   return {};
@@ -58,7 +60,7 @@ std::vector<Bytes> Client::tick() {
   if (turn_ == 0) return questions;
   if (isInStep()) open_.clear();
   for (const Question& question : open_) questions.push_back(bytesOf(question));
-  if (isInStep() || !open_.empty()) return questions;
+  if (isInStep()) return questions;
   const lgs::HashedSquare whole = hashes_.whole();
   ask({Question::Kind::parts, around({whole.level, whole.cells.min}, theirWhole_)}, questions);
   return questions;

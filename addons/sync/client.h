@@ -16,7 +16,8 @@ namespace in_step {
 
 class Client {
  public:
-  /// Of a world that follows its cells and has no edits that are not committed. It must outlive this.
+  /// Of a world that follows its cells and has no edits that are not committed, nor unloaded chunks, now or later: they
+  /// would count as empty. It must outlive this. It ends with the server: make a new one for a server that starts again.
   explicit Client(lgs::World& world);
 
   /// To be called with each message. Returns what to send to the server. No edit of the world may be pending.

@@ -35,7 +35,9 @@ Content readContent(Reader& in) {
     Polygon& polygon = content.emplace_back();
     polygon.block = static_cast<lgs::Block>(in.number(UINT32_MAX));
     LocalPoint v;
-    for (std::uint64_t vertices = in.number(lgs::kMaxVerticesPerCell); vertices > 0 && in.isGood(); --vertices) {
+    std::uint64_t vertices = in.number(lgs::kMaxVerticesPerCell);
+    if (vertices < 3) in.fail();
+    for (; vertices > 0 && in.isGood(); --vertices) {
       v.x += in.signedNumber(2 * lgs::kUnitsPerCell);
       v.y += in.signedNumber(2 * lgs::kUnitsPerCell);
       if (std::min(v.x, v.y) < 0 || std::max(v.x, v.y) > lgs::kUnitsPerCell) in.fail();
@@ -133,15 +135,16 @@ Ground readGround(Reader& in) {
     std::ranges::sort(contents.back());
   }
   std::int64_t i = 0, j = 0;
-  std::size_t vertices = 0;
+  std::size_t vertices = 0, read = 0;  // cells may come twice
   for (std::uint64_t runs = in.number(in.left()); runs > 0 && in.isGood(); --runs) {
     const std::uint64_t head = in.number(4 * kMaxCells);
     if (head & kIsInNewRow) j += in.signedNumber(INT32_MAX);
     if (head & kHasGap) i += in.signedNumber(INT32_MAX);
     const std::uint64_t content = in.number();
     const auto cells = static_cast<std::int64_t>((head >> 2) + 1);
+    read += static_cast<std::size_t>(cells);
     if (content >= contents.size() || std::max(-j, j) > lgs::kMaxCell || i < -lgs::kMaxCell ||
-        i + cells - 1 > lgs::kMaxCell || ground.size() + static_cast<std::size_t>(cells) > kMaxCells)
+        i + cells - 1 > lgs::kMaxCell || read > kMaxCells)
       in.fail();
     for (std::int64_t k = 0; k < cells && in.isGood(); ++k, ++i) {
       for (const Polygon& polygon : contents[content]) vertices += polygon.vertices.size();

@@ -24,13 +24,17 @@ std::vector<lgs::CellChange> Server::edits() {
     else if (!away_.contains(chunk.min))
       edits.push_back(change);
   }
-  std::erase_if(away_, [this](lgs::Cell corner) {
-    const lgs::CellRect chunk = lgs::GroundHashes::square(corner, 0).cells;
-    if (world_.firstUnloaded(chunk)) return false;
-    hashes_.set(corner, groundHash(world_, chunk));
-    return true;
-  });
   return edits;
+}
+
+/// Reads the chunks that came back; whether there are any.
+bool Server::readWhatCameBack() {
+  return std::erase_if(away_, [this](lgs::Cell corner) {
+           const lgs::CellRect chunk = lgs::GroundHashes::square(corner, 0).cells;
+           if (world_.firstUnloaded(chunk)) return false;
+           hashes_.set(corner, groundHash(world_, chunk));
+           return true;
+         }) > 0;
 }
 
 void Server::beginAgain() {
@@ -43,17 +47,21 @@ void Server::beginAgain() {
 }
 
 Bytes Server::update(const lgs::Changes& changes) {
-  const bool isMissed = changes.before != version_ || changes.after != world_.version();
+  const bool isMissed = changes.before != version_ || changes.after != world_.version() || !world_.followsCells();
+  if (isMissed || changes.before != changes.after) ++turn_;
+  const std::vector<lgs::CellChange> edits = isMissed ? std::vector<lgs::CellChange>() : this->edits();
+  if (isMissed) beginAgain();
+  const bool isReadAnew = readWhatCameBack() || isMissed;
+  hashes_.update(edits);
   // After a roll-back edits may be pending, which were read with the rest: so it begins again at the next commit, too.
   const bool mayHavePending = world_.changesOfRollBack().after == world_.version();
-  version_ = isMissed && mayHavePending ? UINT64_MAX : world_.version();
-  if (isMissed) beginAgain();
-  const std::vector<lgs::CellChange> edits = isMissed ? std::vector<lgs::CellChange>() : this->edits();
-  hashes_.update(edits);
-  ++turn_;
+  version_ = isReadAnew && mayHavePending ? UINT64_MAX : world_.version();
   const lgs::HashedSquare whole = hashes_.whole();
   News news = this->news(News::Kind::edits, {whole.level, whole.cells.min});
-  if (edits.size() <= kMaxCells)
+  std::size_t vertices = 0;
+  for (const lgs::CellChange& change : edits)
+    for (const lgs::PlacedPolygon& polygon : change.now) vertices += polygon.vertices.size();
+  if (edits.size() <= kMaxCells && vertices <= kMaxVertices)
     for (const lgs::CellChange& change : edits)
       news.ground[change.cell] = contentOf({change.now.begin(), change.now.end()});
   return bytesOf(news);

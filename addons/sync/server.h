@@ -2,7 +2,11 @@
 // changed, and answers each question. How messages travel is up to others.
 //
 // Chunks of the world may be unloaded: they are not gone. Their hashes are kept, no client takes them for empty, and
-// questions about what is in them are answered once they are back. Commit before you unload.
+// questions about what is in them are answered once they are back. Commit before you unload. Forgotten chunks
+// (World::forgetChunks()) count as empty, and clients empty them: leave them unloaded.
+//
+// Clients end with their server: one that starts again counts its turns from 1, and nobody who heard a later turn
+// listens to it.
 #pragma once
 
 #include "message.h"
@@ -16,14 +20,15 @@ namespace in_step {
 class Server {
  public:
   /// Of a world that follows its cells and has no edits that are not committed, nor unloaded chunks. It must outlive
-  /// this.
+  /// this. While it does not follow its cells, each update reads all of it.
   explicit Server(const lgs::World& world) : Server(world, lgs::GroundHashes(world)) {}
   /// The same of one that may have unloaded chunks, with the hashes of all its ground, whether loaded or not.
   Server(const lgs::World& world, lgs::GroundHashes hashes);
 
   /// To be called with what each commit, roll-back and redo changed: returns what to send to all clients. What
-  /// changed more than kMaxCells cells is reported without them: clients find out. So it is if one was missed; then all
-  /// that is loaded is read again, and chunks that are not count as they were reported last.
+  /// changed more than kMaxCells cells, or holds more than kMaxVertices vertices there, is reported without them:
+  /// clients find out. So it is if one was missed; then all that is loaded is read again, and chunks that are not count
+  /// as they were reported last. A commit that changed nothing makes no turn: the message is a sign of life.
   Bytes update(const lgs::Changes& changes);
 
   /// To be sent to all clients now and then: so one that lost the last message learns of it.
@@ -37,6 +42,7 @@ class Server {
  private:
   News news(News::Kind kind, const Square& square) const;
   std::vector<lgs::CellChange> edits();
+  bool readWhatCameBack();
   void beginAgain();
 
   const lgs::World& world_;

@@ -1,7 +1,6 @@
 // A server and its clients are in step once the line is quiet, whatever the line does to messages; and what is mended
 // costs little (addons/sync).
-#include "addons/sync/client.h"
-#include "addons/sync/server.h"
+#include "ends.h"
 #include "proptests/laws/calls.h"
 #include "proptests/laws/twins.h"
 #include "proptests/support/law.h"
@@ -17,19 +16,12 @@
 namespace lgs::test {
 namespace {
 
-using in_step::Bytes;
-
 /// Of a commit that led from one version to another. The lists are not looked at.
 Changes changesFrom(std::uint64_t before, const World& world) {
   Changes changes;
   changes.before = before;
   changes.after = world.version();
   return changes;
-}
-
-World& followed(World& world) {
-  EXPECT_TRUE(world.followCells(true));
-  return world;
 }
 
 /// A line that loses messages, has some twice, and keeps some back.
@@ -322,48 +314,6 @@ TEST(SyncByHand, WhatIsRefusedIsNotHalfDone) {
   EXPECT_FALSE(client.receive(bytesOf(news)).empty()) << "it asks for what it does not have";
   EXPECT_TRUE(world.isEmpty({4, 5}) && !world.isEmpty({5, 5}) && world.isEmpty({6, 5}));
   EXPECT_TRUE(isCommitted(world)) << "nothing is pending";
-}
-
-LGS_LAW(Sync, GroundComesBackFromItsBytes, 500, (Chance chance)) {
-  in_step::Ground ground;
-  const std::int32_t i = chance.chance(50) ? -2 : kMaxCell - 4, j = chance.chance(50) ? -2 : -kMaxCell;
-  for (int k = chance.below(30); k > 0; --k) {
-    const std::int32_t column = i + chance.below(5);
-    in_step::Content& content = ground[{column, j + chance.below(5)}];
-    content.clear();
-    if (chance.chance(80)) content.push_back({unitSquare(), static_cast<Block>(chance.below(2))});
-  }
-  Bytes bytes;
-  in_step::put(bytes, ground);
-  in_step::Reader in(bytes);
-  EXPECT_EQ(in_step::readGround(in), ground);
-  EXPECT_TRUE(in.isGood() && in.isAtEnd());
-}
-
-/// Messages with a byte that is another one, or that are cut, are refused or understood; worlds stay worlds.
-LGS_LAW(Sync, DamagedMessagesDoNoHarm, 200, (const Calls& calls, Chance chance)) {
-  Caller caller;
-  in_step::Server server(followed(caller.world));
-  World world;
-  in_step::Client client(followed(world));
-  const auto damaged = [&](Bytes bytes) {
-    for (int k = chance.below(3); k > 0 && !bytes.empty(); --k)
-      bytes[chance.below(bytes.size())] = static_cast<std::byte>(chance.below(256));
-    if (chance.chance(20)) bytes.resize(chance.below(bytes.size() + 1));
-    return bytes;
-  };
-  for (const Call& call : calls.list) {
-    const std::uint64_t before = caller.world.version();
-    if (caller.make(call).refusal || call.kind != Call::Kind::commit) continue;
-    std::vector<Bytes> questions = client.receive(damaged(server.update(changesFrom(before, caller.world))));
-    for (int k = 0; k < 8 && !questions.empty(); ++k) {
-      const auto answer = server.answer(damaged(questions.back()));
-      questions.pop_back();
-      if (!answer) continue;
-      for (Bytes& question : client.receive(damaged(*answer))) questions.push_back(std::move(question));
-    }
-    EXPECT_TRUE(World::load(saved(world))) << "nothing is pending, and all is as it must be";
-  }
 }
 
 }  // namespace
