@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -146,9 +147,10 @@ std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, W
   if (std::none_of(forms.begin(), forms.end(), isOverlapped)) return std::nullopt;
   if (whose == Whose::free) std::erase_if(forms, [&](const Form& form) { return !ground.wasFree(form); });
   Catch found;
-  for (const Form& form : forms)
-    if (isOverlapped(form)) found.depth = std::max(found.depth, ground.depthIn(form));
-  if (found.depth == 0) return std::nullopt;
+  std::vector<Form> caught;
+  std::ranges::copy_if(forms, std::back_inserter(caught), isOverlapped);
+  if (caught.empty()) return std::nullopt;
+  for (const Form& form : caught) found.depth = std::max(found.depth, ground.depthIn(form));  // 0, if it has no core
   found.way = WayOut(ground, forms, tolerance).find();
   return found;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace lgs::box2d_test {
-enum class Form { ball, box };
+enum class Form { ball, box, point };
 }  // namespace lgs::box2d_test
 
 #ifndef B2_IS_NULL  // Box2D 2.4
@@ -31,10 +31,10 @@ class EitherBox2d : public testing::Test {
     definition.fixedRotation = true;
     const Body body = physics.CreateBody(&definition);
     b2CircleShape circle;
-    circle.m_radius = 0.35F;
+    circle.m_radius = form == Form::point ? 0 : 0.35F;
     b2PolygonShape box;
     box.SetAsBox(0.35F, 0.35F);
-    const b2Shape& shape = form == Form::ball ? static_cast<const b2Shape&>(circle) : box;
+    const b2Shape& shape = form == Form::box ? static_cast<const b2Shape&>(box) : circle;
     body->CreateFixture(&shape, 1)->SetFriction(friction);
     return body;
   }
@@ -109,9 +109,9 @@ class EitherBox2d : public Physics3 {
     const Body body = b2CreateBody(physics, &definition);
     b2ShapeDef shape = b2DefaultShapeDef();
     shape.material.friction = friction;
-    const b2Circle circle{{0, 0}, 0.35F};
+    const b2Circle circle{{0, 0}, form == Form::point ? 0 : 0.35F};
     const b2Polygon box = b2MakeBox(0.35F, 0.35F);
-    if (form == Form::ball) {
+    if (form != Form::box) {
       b2CreateCircleShape(body, &shape, &circle);
     } else {
       b2CreatePolygonShape(body, &shape, &box);

@@ -85,6 +85,17 @@ TEST_F(Box2dOverlap, WhoIsInNewGroundIsPushedOut) {
   }
 }
 
+TEST_F(Box2dOverlap, APointThatIsInNewGroundIsPushedOutToo) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.6F, 0.36F}, Form::point, 0);
+  field.add({0, 0}, kSquare);
+  ASSERT_TRUE(terrain.commit(field.world));
+  ASSERT_EQ(terrain.overlaps().size(), 1U);
+  EXPECT_EQ(terrain.overlaps()[0].depth, 0) << "it has none";
+  EXPECT_TRUE(terrain.overlaps()[0].isFree);
+  EXPECT_EQ(field.world.at(terrain.latticePoint(positionOf(body))).where, Spot::Where::outside);
+}
+
 TEST_F(Box2dOverlap, WhoHasNoWayOutIsHeldUntilItIsFree) {
   Terrain terrain(physics, field.world);
   const Body body = bury(terrain);
@@ -170,6 +181,10 @@ TEST_F(Box2dOverlap, WhoIsHeldMayBeDestroyed) {
   ASSERT_TRUE(terrain.commit(field.world));
   ASSERT_EQ(terrain.disabled().size(), 1U);
   destroy(other);
+  EXPECT_TRUE(terrain.disabled().empty());
+  const Body next = addBody({20.5F, 1.4F}, Form::ball, 0);  // maybe at the same address
+  EXPECT_TRUE(terrain.disabled().empty());
+  EXPECT_TRUE(isEnabled(next));
   ASSERT_TRUE(field.world.remove(handle));
   ASSERT_TRUE(terrain.commit(field.world));
   EXPECT_TRUE(terrain.disabled().empty());

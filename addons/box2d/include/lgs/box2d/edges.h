@@ -109,7 +109,7 @@ class EdgeSet {
   const EdgeChanges& update(const World& world, const Changes& changes) noexcept;
 
   /// What speaks against an update with these changes, if anything does. Lists that name what is not there, since no
-  /// world made them, are `notTheLast`. Cost: O(changes).
+  /// world made them, are `notTheLast`; that they name all is not checked. Cost: O(changes).
   std::optional<SyncError> misfit(const World& world, const Changes& changes) const noexcept;
 
   /// The World::version() that the edges are up to date with.

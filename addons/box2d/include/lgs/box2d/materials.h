@@ -16,7 +16,8 @@ namespace lgs::box2d {
 
 /// What a sync does with bodies that new ground would overlap (law 13): dynamic bodies whose centre was free.
 enum class OnOverlap : std::uint8_t {
-  push,     ///< pushes them out, along a shortest path that crosses no edge of the old outline; or disables them
+  push,     ///< pushes them out, along a shortest path that crosses no edge of the old outline; or disables them. It
+            ///< knows no other terrain: where two may touch take `disable`
   disable,  ///< disables them until they are free where they are, or until they can be pushed
   leave,    ///< leaves them: they fall through the ground
 };

@@ -74,7 +74,8 @@ class TerrainBase {
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
   /// are not the next ones are refused: the terrain stays as it was, and the error is the reason. After `leftOut` call
-  /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Cost:
+  /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Hand
+  /// on the lists as the world gave them: that none lacks an id is not checked. Cost:
   /// the number of changes, times the segments of an edge; for each body near a change, the changes that are connected
   /// with it; in Box2D 2.4 also, for each fixture that goes, the fixtures of its body, because Box2D looks for it
   /// there.
@@ -95,32 +96,34 @@ class TerrainBase {
   std::vector<Overlap> overlapsWith(const Changes& changes) noexcept;
 
   /// Those that the last sync or resync pushed or disabled. A pushed body was moved by its displacement and woken, and
-  /// has no velocity against it any more. None if they are left.
+  /// has no velocity against it any more. None if they are left. A body that the game destroyed since stays in the list.
   const std::vector<Overlap>& overlaps() const noexcept { return overlaps_; }
 
   /// The bodies that are disabled where they overlapped, at rest. A later sync nearby enables them if they are free
-  /// there, or pushes them out if their centres are. The game may destroy or enable one.
-  std::vector<BodyHandle> disabled() const noexcept { return disabled_.all(); }
+  /// there, or pushes them out if their centres are. The game may destroy or enable one. They stay disabled when the
+  /// terrain goes: enable them first, if they are to live on. Cost: in Box2D 2.4, if there are any, a look at each body.
+  std::vector<BodyHandle> disabled() const noexcept { return disabled_.there(); }
 
   /// Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game
   /// has put elsewhere: from there on afterStep() guards them. Without it their first step is not guarded; and in Box2D
   /// 2.4, which uses the address of a destroyed body again, a new one may be taken for that. Cost: in Box2D 2.4 a look
   /// at each body, in 3 at each that is noted, and where bodies have come, once at each shape; World::at() for each
-  /// shape of a body that is new or elsewhere.
+  /// shape of a body that is new or elsewhere. No edit may be pending: it would count, and Box2D does not have it yet.
   void beforeStep() noexcept;
 
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
   /// centre got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
-  /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape
-  /// of a body that is awake.
+  /// are returned. Bodies that the game itself moves into the ground come back, too. No edit may be pending, as in
+  /// beforeStep(). Cost: World::at() for each shape of a body that is awake.
   const std::vector<BodyHandle>& afterStep() noexcept;
 
   /// Notes where one body is, as beforeStep() does, for a game that does not call that: of a body that it has made, or
   /// put elsewhere, through a portal or to where it starts again. Else that seems to have come through the ground that
-  /// is between, and afterStep() puts it back. Not needed before resync().
+  /// is between, and afterStep() puts it back. Not needed before resync(). No edit may be pending, as in beforeStep().
   void moved(BodyArgument body) noexcept;
 
-  /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop.
+  /// Whether the ground reaches into no shape of a body by more than Box2D's slop. No edit may be pending, as in
+  /// beforeStep().
   bool fits(BodyArgument body) noexcept;
 
   /// Polygons around the shapes of a body that collide with edges, in lattice units of the world: for a brush. Round

@@ -36,8 +36,8 @@ class Terrain : public TerrainBase {
   Terrain(b2World& physics, const World& world, TerrainOptions options = {}) noexcept;
 
   using TerrainBase::fits;
-  /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, as if it
-  /// were at another place.
+  /// Whether the ground reaches into no fixture of a body by more than Box2D's slop, as if it were at another place. No
+  /// edit may be pending, as in beforeStep().
   bool fits(const b2Body& body, const b2Transform& at) noexcept;
 
   using TerrainBase::hit;

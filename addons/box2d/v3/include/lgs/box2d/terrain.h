@@ -45,8 +45,8 @@ class Terrain : public TerrainBase {
   Terrain(b2WorldId physics, const World& world, TerrainOptions options = {}, Precision = {}) noexcept;
 
   using TerrainBase::fits;
-  /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, as if it
-  /// were at another place.
+  /// Whether the ground reaches into no shape of a body by more than Box2D's slop, as if it were at another place. No
+  /// edit may be pending, as in beforeStep().
   bool fits(b2BodyId body, Position at, b2Rot rotation) noexcept;
 
   /// What recall() needs to bring the terrain back to now. For this terrain alone.

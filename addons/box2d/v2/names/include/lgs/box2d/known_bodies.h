@@ -20,7 +20,16 @@ class KnownBodies {
   KnownBodies(const KnownBodies&) = delete;
   KnownBodies& operator=(const KnownBodies&) = delete;
 
-  const std::vector<b2Body*>& all() const { return bodies_; }          ///< some may be gone
+  const std::vector<b2Body*>& all() const { return bodies_; }  ///< some may be gone
+  /// Those that are not gone.
+  std::vector<b2Body*> there() const {
+    std::vector<const b2Body*> behind;
+    for (const b2Body* body = mark_; body != nullptr; body = body->GetNext()) behind.push_back(body);
+    std::ranges::sort(behind);
+    std::vector<b2Body*> there = bodies_;
+    std::erase_if(there, [&](const b2Body* body) { return !std::ranges::binary_search(behind, body); });
+    return there;
+  }
   std::size_t ownCount() const { return mark_ == nullptr ? 0U : 1U; }  ///< bodies that this made
 
   /// Not in a step.
@@ -34,14 +43,8 @@ class KnownBodies {
   template <class IsOut>
   void eraseIf(const IsOut& isOut) {
     if (bodies_.empty()) return;
-    std::vector<const b2Body*> known(bodies_.begin(), bodies_.end()), there;
-    std::ranges::sort(known);
-    for (const b2Body* body = mark_; body != nullptr; body = body->GetNext())
-      if (std::ranges::binary_search(known, body)) there.push_back(body);
-    std::ranges::sort(there);
-    std::erase_if(bodies_, [&](b2Body* body) {
-      return !std::ranges::binary_search(there, static_cast<const b2Body*>(body)) || isOut(body);
-    });
+    bodies_ = there();
+    std::erase_if(bodies_, isOut);
     if (bodies_.empty()) drop();
   }
 

@@ -13,6 +13,12 @@ class KnownBodies {
  public:
   explicit KnownBodies(b2WorldId /*physics*/) {}
 
+  /// Those that are not gone.
+  std::vector<b2BodyId> there() const {
+    std::vector<b2BodyId> there = bodies_;
+    std::erase_if(there, [](b2BodyId body) { return !b2Body_IsValid(body); });
+    return there;
+  }
   const std::vector<b2BodyId>& all() const { return bodies_; }  ///< some may be gone
   std::size_t ownCount() const { return 0; }                    ///< bodies that this made
 
