@@ -30,7 +30,9 @@ lgs_status lgs_body_parts(const lgs_body* body, size_t max_vertices, lgs_part_fn
 
 lgs_status lgs_put_as_it_lies(lgs_world* world, const lgs_body* body, const lgs_placing* placing,
                               lgs_error* error) noexcept {
-  if (!world || !body || !placing) return refuse(LGS_BAD_ARGUMENT, error);
+  // The origin may be anywhere: it may be out of reach.
+  if (!world || !body || !placing || !lgs::isSound({{}, {{}, placing->cosine, placing->sine}, {}, 0}))
+    return refuse(LGS_BAD_ARGUMENT, error);
   const auto done = lgs::putAsItLies(world->world, body->body, placingOf(*placing));
   return done ? LGS_OK : refuse(done.error(), error);
 }
@@ -38,8 +40,10 @@ lgs_status lgs_put_as_it_lies(lgs_world* world, const lgs_body* body, const lgs_
 lgs_status lgs_rock_save(const lgs_body* body, const lgs_rock* rock, uint8_t* bytes, size_t capacity,
                          size_t* count) noexcept {
   if (!body || !rock) return LGS_BAD_ARGUMENT;
+  const lgs::Rock value{body->body, placingOf(rock->placing), fromC(rock->velocity), rock->spin};
+  if (!lgs::isSound(value)) return LGS_BAD_ARGUMENT;
   std::vector<std::byte> out;
-  lgs::putRock(out, {body->body, placingOf(rock->placing), fromC(rock->velocity), rock->spin});
+  lgs::putRock(out, value);
   return putList(out, bytes, capacity, count, [](std::byte b) { return std::to_integer<std::uint8_t>(b); });
 }
 

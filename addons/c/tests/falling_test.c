@@ -3,6 +3,7 @@
 
 #include <lgs/lgs_falling.h>
 
+#include <math.h>
 #include <string.h>
 
 /* The parts of a body, added up. */
@@ -101,6 +102,30 @@ static void settles(void) {
   CHECK(lgs_rock_load(bytes, size, &again, &loaded) == LGS_OK && memcmp(&rock, &loaded, sizeof rock) == 0);
   CHECK(lgs_body_get(body, &facts) == LGS_OK && lgs_body_get(again, &same) == LGS_OK);
   CHECK(facts.area == 4.5 && memcmp(&facts, &same, sizeof facts) == 0);
+  /* What cannot be loaded is not saved; what is in range is. */
+  {
+    const double odd[] = {NAN, INFINITY, -1e300};
+    size_t k;
+    for (k = 0; k < 3; ++k) {
+      lgs_rock bad = rock;
+      bad.placing.origin.x = odd[k];
+      CHECK(lgs_rock_save(body, &bad, bytes, sizeof bytes, &size) == LGS_BAD_ARGUMENT);
+      bad = rock;
+      bad.velocity.y = odd[k];
+      CHECK(lgs_rock_save(body, &bad, bytes, sizeof bytes, &size) == LGS_BAD_ARGUMENT);
+      bad = rock;
+      bad.placing.sine = odd[k];
+      CHECK(lgs_rock_save(body, &bad, bytes, sizeof bytes, &size) == LGS_BAD_ARGUMENT);
+    }
+    for (k = 0; k < 3; ++k) {
+      lgs_rock far = rock;
+      lgs_body* there = NULL;
+      far.placing.origin.x = k == 0 ? LGS_MAX_CELL : k == 1 ? -LGS_MAX_CELL : 1000000500;
+      CHECK(lgs_rock_save(body, &far, bytes, sizeof bytes, &size) == LGS_OK);
+      CHECK(lgs_rock_load(bytes, size, &there, &loaded) == LGS_OK && memcmp(&far, &loaded, sizeof far) == 0);
+      lgs_body_free(there);
+    }
+  }
   lgs_body_free(body);
 
   /* It comes to rest on the floor, turned by a quarter: the ramp is on top. */
@@ -114,6 +139,11 @@ static void settles(void) {
   REFUSED(LGS_BAD_ARGUMENT, lgs_put_as_it_lies(world, NULL, &rock.placing, &error));
   REFUSED(LGS_BAD_ARGUMENT, lgs_put_as_it_lies(world, again, NULL, &error));
   REFUSED(LGS_OUT_OF_REACH, lgs_put_as_it_lies(world, again, &wrong, &error));
+  wrong = rock.placing;
+  wrong.sine = 0;
+  REFUSED(LGS_BAD_ARGUMENT, lgs_put_as_it_lies(world, again, &wrong, &error)); /* it would be a point */
+  wrong.cosine = 3;
+  REFUSED(LGS_BAD_ARGUMENT, lgs_put_as_it_lies(world, again, &wrong, &error));
   CHECK(lgs_put_as_it_lies(world, again, &rock.placing, NULL) == LGS_OK && lgs_commit(world, &changes) == LGS_OK);
   CHECK(lgs_islands_update(view, world, &changes) == LGS_OK);
   CHECK(lgs_islands_ids(view, LGS_ALL, ids, 2, &count) == LGS_OK && count == 1);

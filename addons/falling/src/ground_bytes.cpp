@@ -57,8 +57,9 @@ constexpr std::uint64_t kFormat = 0x3164'6e72'6773'676c;  // "lgsgrnd1"
 
 bool isSound(const Rock& rock) {
   const auto& [origin, cosine, sine] = rock.placing;
-  const std::array reals{origin.x, origin.y, rock.velocity.x, rock.velocity.y, rock.spin};
-  return std::ranges::all_of(reals, [](double real) { return std::abs(real) < 1e9; }) &&
+  const std::array reals{rock.velocity.x, rock.velocity.y, rock.spin};
+  return std::abs(origin.x) <= kMaxCell + 1.0 && std::abs(origin.y) <= kMaxCell + 1.0 &&
+         std::ranges::all_of(reals, [](double real) { return std::abs(real) < 1e9; }) &&
          std::abs(cosine * cosine + sine * sine - 1) < 1e-3;
 }
 

@@ -45,7 +45,7 @@ typedef struct lgs_placing {
  * those that lgs_visit_cell_changes() shows after the commit. The body stays as it is. Refused: LGS_OUT_OF_REACH, where
  * a vertex would lie in no cell, or a block of it is more than 4,096 cells wide or high; LGS_UNLOADED, if it has a part
  * of an unloaded cell; LGS_CAPACITY; and as by lgs_put(), for a body that fits nowhere. Cost: in proportion to the cells
- * that it covers, for each of its blocks. */
+ * that it covers, for each of its blocks. LGS_BAD_ARGUMENT, if cosine and sine are no rotation. */
 LGS_API lgs_status lgs_put_as_it_lies(lgs_world* world, const lgs_body* body, const lgs_placing* placing,
                                       lgs_error* error) LGS_NOTHROW;
 
@@ -56,7 +56,9 @@ typedef struct lgs_rock {
   double spin;               /* radians a second, counter-clockwise */
 } lgs_rock;
 
-/* A rock as bytes, as a list: to be saved beside the world, as the world does not know of it. */
+/* A rock as bytes, as a list: to be saved beside the world, as the world does not know of it. Refused:
+ * LGS_BAD_ARGUMENT, if its origin is out of the range of cells, velocity or spin are 10^9 or more, or something is no
+ * number or no rotation. */
 LGS_API lgs_status lgs_rock_save(const lgs_body* body, const lgs_rock* rock, uint8_t* bytes, size_t capacity,
                                  size_t* count) LGS_NOTHROW;
 

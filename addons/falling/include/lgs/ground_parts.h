@@ -100,8 +100,8 @@ class ChangedSquares {
   std::set<Cell> corners_;
 };
 
-/// Whether a rock lies and moves as Box2D can take it: all is finite, and less than 10^9; cosine and sine are a
-/// rotation.
+/// Whether a rock lies and moves as Box2D can take it: its origin is in the range of cells, velocity and spin are
+/// less than 10^9; cosine and sine are a rotation.
 [[nodiscard]] bool isSound(const Rock& rock);
 
 /// The bytes of a rock, behind what is in `out`.

@@ -139,7 +139,7 @@ typedef void (*lgs_cell_change_fn)(void* user, const lgs_cell_change* change);
 /* Calls visit() for each cell that the last commit or roll-back changed, each once, in the order of their first change.
  * After a roll-back these are the cells edited, and committed, since the last commit before the mark; `now` is as of
  * that commit, and edits that were pending at the mark are reported by the next commit. A cell is named even if it
- * holds again what it held. None, if nothing is followed or an edit was made since. */
+ * holds again what it held. None, if nothing is followed. To be called before the next edit. */
 LGS_API lgs_status lgs_visit_cell_changes(const lgs_world* world, lgs_cell_change_fn visit, void* user) LGS_NOTHROW;
 
 /* The least rectangle of cells with all polygons; an empty one, min (0, 0) and max (-1, -1), if there are none. Cost:
