@@ -1,20 +1,21 @@
 #include <lgs/debug.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace lgs {
 namespace {
 
 constexpr std::int64_t kPixelsPerCell = 64, kMargin = 8;
-constexpr double kMaxCellsPerUnit = 1e6;
+constexpr double kMinCellsPerUnit = 1e-6, kMaxCellsPerUnit = 1e6;
 
-/// With three decimals: about a lattice unit. No locale has a say in it.
-std::string decimal(double value) {
-  const auto thousandths = static_cast<std::int64_t>(value * 1000 + (value < 0 ? -0.5 : 0.5));
-  const std::int64_t magnitude = thousandths < 0 ? -thousandths : thousandths;
-  const std::string rest = std::to_string(magnitude % 1000);
-  return (thousandths < 0 ? "-" : "") + std::to_string(magnitude / 1000) + "." + std::string(3 - rest.size(), '0') +
-         rest;
+/// With three decimals: about a lattice unit; or in other parts of 1. No locale has a say in it.
+std::string decimal(double value, std::int64_t one = 1'000) {
+  const auto parts = static_cast<std::int64_t>(value * static_cast<double>(one) + (value < 0 ? -0.5 : 0.5));
+  const std::int64_t magnitude = parts < 0 ? -parts : parts;
+  return (parts < 0 ? "-" : "") + std::to_string(magnitude / one) + "." +
+         std::to_string(one + magnitude % one).substr(1);
 }
 
 /// Neighbouring numbers get hues that are far apart.
@@ -30,7 +31,7 @@ class Page {
   }
   std::string operator()(Point p) const { return (*this)(inCells(p)); }
   std::string group(const SvgOverlay& overlay) const {
-    const std::string scale = decimal(overlay.cellsPerUnit * kPixelsPerCell);
+    const std::string scale = decimal(overlay.cellsPerUnit * kPixelsPerCell, 1'000'000'000);
     const DoublePoint corner{static_cast<double>(overlay.origin.i), static_cast<double>(overlay.origin.j)};
     return "<g transform=\"matrix(" + scale + ",0,0,-" + scale + "," + (*this)(corner) + ")\">\n" + overlay.over +
            "</g>\n";
@@ -43,10 +44,22 @@ class Page {
   std::int64_t left_, top_;
 };
 
+/// Of polygons, and of segments, whose polygons may be gone since the last commit.
+CellRect boundsOf(const World& world) {
+  std::optional<CellRect> all = world.bounds();
+  for (const SegmentId id : world.segments()) {
+    const Cell cell = world.segment(id)->cell;
+    if (!all) all = CellRect{cell, cell};
+    all->min = {std::min(all->min.i, cell.i), std::min(all->min.j, cell.j)};
+    all->max = {std::max(all->max.i, cell.i), std::max(all->max.j, cell.j)};
+  }
+  return all.value_or(CellRect{});
+}
+
 }  // namespace
 
 std::string writeSvg(const World& world, const SvgOverlay& overlay) {
-  const CellRect cells = world.bounds().value_or(CellRect{});
+  const CellRect cells = boundsOf(world);
   const auto pixels = [](std::int32_t min, std::int32_t max) {
     return std::to_string((std::int64_t{max} - min + 1) * kPixelsPerCell + 2 * kMargin);
   };
@@ -69,7 +82,8 @@ std::string writeSvg(const World& world, const SvgOverlay& overlay) {
            page(DoublePoint{middle.x + normal.x / 12, middle.y + normal.y / 12}) + "\"/>\n";
   }
   svg += "</g>\n";
-  const bool hasScale = overlay.cellsPerUnit > 0 && overlay.cellsPerUnit <= kMaxCellsPerUnit;  // and so a number
+  const bool hasScale =
+      overlay.cellsPerUnit >= kMinCellsPerUnit && overlay.cellsPerUnit <= kMaxCellsPerUnit;  // and so a number
   if (!overlay.over.empty() && hasScale) svg += page.group(overlay);
   return svg + "</svg>\n";
 }

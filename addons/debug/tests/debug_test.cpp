@@ -65,5 +65,23 @@ TEST(Debug, APictureHasItsOriginAtTheUpperLeft) {
   EXPECT_THAT(svg, HasSubstr("M32.000,64.000 32.000,69.333\"")) << "a normal that points down\n" << svg;
 }
 
+TEST(Debug, APictureShowsTheSegmentsOfWhatWasRemovedSinceTheCommit) {
+  World world;
+  ASSERT_TRUE(world.add({1'000, 1'000}, kUnitSquare, 0));
+  world.commit();
+  ASSERT_TRUE(world.clear(Cell{1'000, 1'000}));
+  EXPECT_THAT(writeSvg(world), HasSubstr("M32.000,64.000 32.000,69.333\"")) << "on the page";
+  ASSERT_TRUE(world.add({1'001, 1'002}, kUnitSquare, 0));
+  EXPECT_THAT(writeSvg(world), HasSubstr("viewBox=\"-8 -8 144 208\""));
+}
+
+TEST(Debug, WhatIsLaidOverHasItsScale) {
+  const auto with = [](double cellsPerUnit) { return writeSvg({}, {.over = "<g/>", .cellsPerUnit = cellsPerUnit}); };
+  EXPECT_THAT(with(1), HasSubstr("matrix(64.000000000,0,0,-64.000000000,"));
+  EXPECT_THAT(with(1e-6), HasSubstr("matrix(0.000064000,0,0,-0.000064000,"));
+  EXPECT_THAT(with(1e6), HasSubstr("matrix(64000000.000000000,0,0,-64000000.000000000,"));
+  for (const double none : {0.0, -1.0, 1e-7, 2e6}) EXPECT_THAT(with(none), testing::Not(HasSubstr("matrix(")));
+}
+
 }  // namespace
 }  // namespace lgs::test

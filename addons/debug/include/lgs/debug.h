@@ -16,8 +16,8 @@ std::string writeTrace(const World& world);
 /// Something to lay over a picture of a world: bodies, paths, names.
 struct SvgOverlay {
   std::string over;         ///< SVG elements, whose x runs to the right and y up
-  double cellsPerUnit = 1;  ///< of their coordinates: for metres 1 / TerrainOptions::cellSize. Above 0, at most 10^6:
-                            ///< with another number nothing is laid over
+  double cellsPerUnit = 1;  ///< of their coordinates: for metres 1 / TerrainOptions::cellSize. 10^-6 to 10^6: with
+                            ///< another number nothing is laid over
   Cell origin = {};         ///< its lower left corner is their (0, 0)
 };
 
