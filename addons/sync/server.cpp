@@ -47,7 +47,8 @@ void Server::beginAgain() {
 }
 
 Bytes Server::update(const lgs::Changes& changes) {
-  const bool isMissed = changes.before != version_ || changes.after != world_.version() || !world_.followsCells();
+  const bool isMissed = changes.before != version_ || changes.after != world_.version() || !world_.followsCells() ||
+                        changes.before != world_.versionBeforeCellChanges();
   if (isMissed || changes.before != changes.after) ++turn_;
   const std::vector<lgs::CellChange> edits = isMissed ? std::vector<lgs::CellChange>() : this->edits();
   if (isMissed) beginAgain();

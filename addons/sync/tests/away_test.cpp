@@ -145,5 +145,19 @@ TEST(SyncByHand, AWorldThatDoesNotFollowItsCellsIsReadAnew) {
   EXPECT_TRUE(samePolygons(end.world, world));
 }
 
+// cellChanges() are those of the empty commit then.
+TEST(SyncByHand, ACommitThatFindsNothingInBetweenIsNoticed) {
+  World world;
+  EXPECT_TRUE(world.followCells(true));
+  in_step::Server server(world);
+  End end;
+  place(world, {1, 1}, unitSquare());
+  const Changes changes = world.commit();
+  world.commit();
+  answerAll(server, end.client, end.client.receive(server.update(changes)));
+  EXPECT_TRUE(end.client.isInStep());
+  EXPECT_TRUE(samePolygons(end.world, world));
+}
+
 }  // namespace
 }  // namespace lgs::test
