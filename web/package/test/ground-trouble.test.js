@@ -347,20 +347,6 @@ test('land is made around what was placed before, in memory or not', () => {
   }
 })
 
-test('a save of 9,216 chunks on the shelf', () => {
-  const ground = new Ground()
-  ground.edit((world) => {
-    const shape = world.shape(unitSquare), rows = new Int32Array(4 * 96 * 96)
-    for (let k = 0; k < 96 * 96; ++k) rows.set([32 * (k % 96), 32 * Math.floor(k / 96), shape, 1], 4 * k)
-    world.addMany(rows)
-  })
-  ground.window(cells(-900, 0))
-  const saved = ground.save()
-  ground.load(saved)
-  assert.deepEqual(ground.save(), saved)
-  ground.free()
-})
-
 test('who can not be made leaves nothing in the physics world', () => {
   const physics = new Physics(), { _listeners } = physics
   for (const make of [() => new PlanckGround(physics, {}, { cellSize: -1 }), () => new PlanckGround(physics, {}, {}, { density: 7 })]) refuses('bad-argument', make)

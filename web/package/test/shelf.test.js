@@ -43,8 +43,8 @@ test('with four times as many chunks on the shelf four times as many are asked f
   }
 })
 
-test('65,536 chunks are saved, loaded, and brought in', () => {
-  const side = 256, { ground, chunks } = shelved(side), bytes = ground.save()
+test('46,656 chunks are saved, loaded, and brought in', () => {
+  const side = 216, { ground, chunks } = shelved(side), bytes = ground.save()
   assert.equal(chunks.size, side ** 2 - 1)
   const twin = shelved(0)
   twin.ground.load(bytes)
