@@ -19,6 +19,7 @@ const cut = 500 // that it takes for a stem
 const pause = 1700 // until it asks who looks on to cut the next one
 const stems = [[7, 16.4], [14, 17.4]] // where the hand cuts, and where it asks: x, y in cells
 const isHeld = 350 // milliseconds: then going back runs on
+const tapWalks = 1000 // ms
 const keepsEach = 1000 // milliseconds
 
 interface Kept extends Counts {
@@ -42,6 +43,7 @@ export class Digger {
   #cursor: [number, number] | null = null // of the keyboard, in pixels
   #isPlacing = false // a boulder
   #holding = 0 // a timer
+  #walking = 0
 
   get size(): number {
     return this.picture!.size
@@ -125,7 +127,7 @@ export class Digger {
       this.#isOwn = true
     }, { capture: true })
     this.#onHold('dig-back', () => this.#press(), () => this.#release())
-    for (const [id, key] of [['dig-left', 'a'], ['dig-right', 'd']]) this.#onHold(id, () => say('keydown', key), () => say('keyup', key))
+    for (const [id, key] of [['dig-left', 'a'], ['dig-right', 'd']]) this.#onWalk(id, key)
     onClick('dig-again', () => this.#again())
     onClick('dig-boulder', () => this.#place(!this.#isPlacing))
     // A tap takes one dig back; digger.js, which goes on for as long as the key is down, hears of it later.
@@ -181,7 +183,21 @@ export class Digger {
     button.addEventListener('keyup', (event) => { if (isUse(event)) end() })
   }
 
+  /** A tap walks on for as long as it takes to another view; whoever holds the button walks until it is let go. */
+  #onWalk(id: string, key: string): void {
+    let begun = -Infinity
+    this.#onHold(id, () => {
+      clearTimeout(this.#walking)
+      begun = performance.now()
+      say('keydown', key)
+    }, () => {
+      clearTimeout(this.#walking)
+      this.#walking = window.setTimeout(() => say('keyup', key), Math.max(0, begun + tapWalks - performance.now()))
+    })
+  }
+
   #press(): void {
+    clearTimeout(this.#walking)
     this.#release()
     this.#deeds!.rewind()
     this.#holding = window.setTimeout(() => say('keydown', 'z'), isHeld)

@@ -256,7 +256,7 @@ export class Goal {
     const lead = this.#asks ?? (this.#news.left > 0 ? this.#news.text : this.#isDone ? walkOn : taskOf(this.here)[0])
     if (this.#lead.textContent !== lead) this.#lead.textContent = lead
     const digs = this.#deeds.digsIn(this.here), best = this.#deeds.best.get(this.here), { gold } = this.crystals, arrived = this.#inPlace(this.here)
-    const score = `${counted(digs)} · ${best === undefined ? `goal ${taskOf(this.here)[1]}` : `best ${best}`}`, seen = `${arrived} ${gold} ${score}`
+    const score = `${counted(digs)} · ${best === undefined ? `par ${taskOf(this.here)[1]}` : `best ${best}`}`, seen = `${arrived} ${gold} ${score}`
     if (seen === this.#seen) return
     this.#seen = seen
     this.#score.textContent = score
