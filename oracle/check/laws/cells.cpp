@@ -33,7 +33,7 @@ class CellsLaw : public Law {
     const Call::Kind kind = judged.call.kind;
     if (isRefused) return std::nullopt;
     if (kind == follow) isOn_ = judged.call.nth % 2 != 0;
-    if (kind == follow) told_ = cellsOf(seen.world());
+    if (kind == follow) begin(seen.world());
     if (kind == load) isOn_ = false;
     if (isOfMemory(kind) || kind == leave) isOrdered_ = false;  // cells that come and go are named, too
     if (isOn_) note(cellsOf(seen.world()));
@@ -53,6 +53,12 @@ class CellsLaw : public Law {
   }
 
  private:
+  // Nothing is pending.
+  void begin(const World& world) {
+    told_ = now_ = cellsOf(world);
+    first_.clear();
+  }
+
   bool isTold(const World& world) const {
     std::map<Cell, std::size_t> met;
     const auto isNext = [&](Cell cell, const PlacedPolygon& p) {

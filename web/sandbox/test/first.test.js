@@ -275,6 +275,7 @@ for (const [width, height] of [[1280, 800], [390, 844], [844, 390]])
       for (const [k, a] of bars.entries()) for (const b of bars.slice(k + 1)) assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, JSON.stringify({ a, b }))
       for (const bar of bars) assert.ok(bar.bottom <= top + 1 || bar.top >= bottom - 1, JSON.stringify({ top, bottom, bar }))
       if (width < 1000) return
+      await page.waitForFunction(() => window.sandbox.digger.goal.crystals.glowing.filter(([x]) => x > 0 && x < 64).length === 5)
       const seen = await page.evaluate(() => {
         const { goal, picture } = window.sandbox.digger, { i0, i1 } = picture.cells
         return goal.crystals.glowing.filter(([x]) => x > 0 && x < 64).map(([x]) => x - 2 > i0 && x + 2 < i1)
