@@ -64,7 +64,7 @@ LGS_LAW(Sync, WhatNobodyAskedForIsLeftOut, 300, (Chance chance)) {
   ASSERT_TRUE(client.isInStep());
   in_step::News news;
   news.kind = chance.chance(50) ? in_step::News::Kind::parts : in_step::News::Kind::ground;
-  news.turn = 1 + chance.below(2);
+  news.turn = chance.chance(50) ? 1 : 2;
   news.square.level = chance.below(GroundHashes::kTopLevel + 1);
   news.square.corner = GroundHashes::square({0, 0}, news.square.level).cells.min;
   ASSERT_TRUE(in_step::readNews(bytesOf(news)));

@@ -19,6 +19,14 @@ inline World& followed(World& world) {
   return world;
 }
 
+/// Of a commit that led from one version to another. The lists are not looked at.
+inline Changes changesFrom(std::uint64_t before, const World& world) {
+  Changes changes;
+  changes.before = before;
+  changes.after = world.version();
+  return changes;
+}
+
 /// A client and its world.
 struct End {
   World world;

@@ -16,14 +16,6 @@
 namespace lgs::test {
 namespace {
 
-/// Of a commit that led from one version to another. The lists are not looked at.
-Changes changesFrom(std::uint64_t before, const World& world) {
-  Changes changes;
-  changes.before = before;
-  changes.after = world.version();
-  return changes;
-}
-
 /// A line that loses messages, has some twice, and keeps some back.
 class Line {
  public:
