@@ -22,8 +22,12 @@ Wide doubleAreaOf(const ScenePolygon& p) {
 
 /// Whether an edge is a part of one of the polygon's, in the same direction.
 bool owns(const ScenePolygon& p, const Edge& edge) {
-  const auto side = [](Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
-  const auto along = [](Point a, Point b, Point c) { return (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y); };
+  const auto side = [](Point a, Point b, Point c) {
+    return Wide{b.x - a.x} * (c.y - a.y) - Wide{b.y - a.y} * (c.x - a.x);
+  };
+  const auto along = [](Point a, Point b, Point c) {
+    return Wide{b.x - a.x} * (c.x - a.x) + Wide{b.y - a.y} * (c.y - a.y);
+  };
   for (std::size_t k = 0; k < p.vertices.size(); ++k) {
     const Point a = toWorld(p.cell, p.vertices[k]), b = toWorld(p.cell, p.vertices[(k + 1) % p.vertices.size()]);
     const auto [start, end] = edge;

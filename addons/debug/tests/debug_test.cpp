@@ -76,7 +76,9 @@ TEST(Debug, APictureShowsTheSegmentsOfWhatWasRemovedSinceTheCommit) {
 }
 
 TEST(Debug, WhatIsLaidOverHasItsScale) {
-  const auto with = [](double cellsPerUnit) { return writeSvg({}, {.over = "<g/>", .cellsPerUnit = cellsPerUnit}); };
+  const auto with = [](double cellsPerUnit) {
+    return writeSvg(World(), {.over = "<g/>", .cellsPerUnit = cellsPerUnit});
+  };
   EXPECT_THAT(with(1), HasSubstr("matrix(64.000000000,0,0,-64.000000000,"));
   EXPECT_THAT(with(1e-6), HasSubstr("matrix(0.000064000,0,0,-0.000064000,"));
   EXPECT_THAT(with(1e6), HasSubstr("matrix(64000000.000000000,0,0,-64000000.000000000,"));
