@@ -15,6 +15,10 @@ Ring ringOf(const ScenePolygon& p) {
   return ring;
 }
 
+bool areBeside(Cell a, Cell b) {
+  return std::abs(std::int64_t{a.i} - b.i) <= 1 && std::abs(std::int64_t{a.j} - b.j) <= 1;
+}
+
 /// Twice the area of a triangle, positive if it runs counter-clockwise.
 std::int64_t triangle(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
@@ -47,13 +51,14 @@ bool edgesCross(const Ring& one, const Ring& other) {
 }  // namespace
 
 bool haveCommonPoint(const ScenePolygon& one, const ScenePolygon& other) {
-  if (std::abs(one.cell.i - other.cell.i) > 1 || std::abs(one.cell.j - other.cell.j) > 1) return false;
+  if (!areBeside(one.cell, other.cell)) return false;
   const Ring a = ringOf(one), b = ringOf(other);
   return std::ranges::any_of(a, [&](Point p) { return isInOrOn(p, b); }) ||
          std::ranges::any_of(b, [&](Point p) { return isInOrOn(p, a); }) || edgesCross(a, b);
 }
 
 bool haveCommonEdge(const ScenePolygon& one, const ScenePolygon& other) {
+  if (!areBeside(one.cell, other.cell)) return false;
   const Ring p = ringOf(one), q = ringOf(other);
   for (std::size_t k = 0; k < p.size(); ++k) {
     for (std::size_t n = 0; n < q.size(); ++n) {
