@@ -69,7 +69,8 @@ struct Region {
 [[nodiscard]] Expected<Region> without(const Region& region, const Region& except) noexcept;
 
 /// Whether a region, its outline included, has a point in common with a simple counter-clockwise polygon. Nothing that
-/// is beyond the last cell has, or more than kMaxRegionCells wide or high. Cost: in proportion to the vertices of the one times those of the other.
+/// is beyond the last cell has, or more than kMaxRegionCells wide or high. Cost: in proportion to the vertices of the
+/// one times those of the other.
 [[nodiscard]] bool meets(const Region& region, const Ring& polygon) noexcept;
 
 /// A circle as a polygon. Its corners lie on the circle, rounded to the lattice. `corners` is rounded up to a multiple
