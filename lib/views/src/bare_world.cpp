@@ -15,6 +15,13 @@ bool isAmong(std::span<const PlacedPolygon> polygons, const PlacedPolygon& like,
   });
 }
 
+/// Whether there are polygons in memory in these cells.
+bool hasGround(const World& world, const CellRect& cells) {
+  bool has = false;
+  world.forEachPolygon(cells, [&](Cell, const PlacedPolygon&) { has = true; });
+  return has;
+}
+
 /// What the other world holds fits here, too. Only where polygons were placed and taken back 2^28 times in one cell
 /// there may be no place left.
 void expect(bool done) {
@@ -87,10 +94,8 @@ const Changes& BareWorld::follow(const World& world) {
   }
   for (const CellRect& chunk : left) expect(world_.unload(chunk, {}).has_value());
   if (!isOpen_ && world.changesOfRollBack().after == world.version())  // it rolled back, and no commit followed
-    for (const CellRect& chunk : unloadedChunks(world)) {
-      const bool leftSince = !isUnloaded(world_, chunk.min) && std::ranges::find(left, chunk) == left.end();
-      if (!leftSince) fillUnknown(chunk);  // else the next commit says that it left
-    }
+    for (const CellRect& chunk : unloadedChunks(world))
+      if (!hasGround(world_, chunk)) fillUnknown(chunk);  // else it left since: the next commit says so
   const Changes& changes = world_.commit();
   for (const CellRect& chunk : emptied) expect(world_.forgetChunks(chunk).has_value());  // which hold nothing
   return changes;
