@@ -322,6 +322,7 @@ Expected<void> World::followCells(bool follow) noexcept {
 }
 
 bool World::followsCells() const noexcept { return impl_->history.isFollowed(); }
+bool World::hasUncommitted() const noexcept { return impl_->ground.hasChanged(); }
 
 std::span<const CellChange> World::cellChanges() const noexcept { return impl_->history.cellChanges().all(); }
 std::uint64_t World::versionBeforeCellChanges() const noexcept { return impl_->history.versionBeforeCellChanges(); }

@@ -29,6 +29,7 @@ void addDoorsOfReading(Doors& door) {
       "World::boundingBox(ShapeId) const", [](Scene& s, ShapeId id) { return s.world.boundingBox(id); }, isUnknown);
   door("World::changesOfRollBack() const", [](Scene& s) { return s.world.changesOfRollBack().added.size(); });
   door("World::followsCells() const", [](Scene& s) { return s.world.followsCells(); });
+  door("World::hasUncommitted() const", [](Scene& s) { return s.world.hasUncommitted(); });
   door("World::versionBeforeCellChanges() const", [](Scene& s) { return s.world.versionBeforeCellChanges(); });
   door("World::cellChanges() const", [](Scene& s) { return s.world.cellChanges().size(); });
   door("World::save(const ByteSink&) const", [](Scene& s, const ByteSink& sink) { return s.world.save(sink); });

@@ -308,6 +308,9 @@ class World {
   [[nodiscard]] Expected<void> followCells(bool follow) noexcept;
   /// Whether it is kept.
   bool followsCells() const noexcept;
+  /// Whether something was edited, unloaded or reloaded since the last commit, or a roll-back came to a moment when
+  /// edits were pending: what follows from the outline is not what follows from the polygons then.
+  bool hasUncommitted() const noexcept;
 
   /// The cells that the last commit, rollBack() or redo() changed, each once, in the order of their first
   /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the

@@ -34,6 +34,7 @@ Islands& Islands::operator=(Islands&&) noexcept = default;
 
 bool Islands::update(const World& world, const Changes& changes) noexcept {
   if (!world.followsCells() || changes.before != world.versionBeforeCellChanges()) return false;
+  if (impl_->atEdge == AtEdge::holds && world.hasUncommitted()) return false;  // it walks through the polygons
   if (!impl_->loops.update(world, changes)) return false;
   impl_->view.update(impl_->ground(world), impl_->loops);
   return true;

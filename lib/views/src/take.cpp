@@ -69,6 +69,7 @@ Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, Isla
 
 Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept {
   Foreseen out;
+  if (world.hasUncommitted()) return out;
   const Mark mark = world.mark();
   if (edit && edit(world) && islands.update(world, world.commit())) {
     out.changes = islands.changes();

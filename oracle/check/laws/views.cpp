@@ -43,6 +43,8 @@ class ViewsLaw : public Law {
   }
 
   Found afterTravel(Seen& seen) override {
+    if (views_ && seen.world().hasUncommitted() && views_->islands.update(seen.world(), seen.library->changes()))
+      return seen.mismatch(Mismatch::Kind::views, "islands take a moment at which edits are pending");
     if (seen.isPending()) views_.reset();  // what follows from the outline of then is not the polygons'
     lookAway(seen);
     return isAsked_ && views_ ? look(seen) : std::nullopt;

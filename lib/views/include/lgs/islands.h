@@ -100,11 +100,11 @@ class Islands {
   Islands(Islands&&) noexcept;                        ///< what was moved from can only be assigned to or destroyed
   Islands& operator=(Islands&&) noexcept;             ///< the same
 
-  /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
-  /// that are not committed: after it rolled back to a mark that was made while edits were pending, begin again with
-  /// another view, after the next commit. To be called once for each commit and roll-back. Returns false, and nothing
-  /// changes, where Loops::update() does so, and if the world does not follow its cells. If it has edits that are not
-  /// committed, what the view returns of islands may be wrong from then on, and nothing worse.
+  /// Takes over what the world's last commit or roll-back changed. To be called once for each commit and roll-back,
+  /// before anything else is edited, unloaded or reloaded, for it walks through the ground as it is. Returns false, and
+  /// nothing changes, where Loops::update() does so, if the world does not follow its cells, and, but with
+  /// AtEdge::open, if it World::hasUncommitted(), as after a roll-back to a mark that was made while edits were pending:
+  /// then begin again with another view, after the next commit.
   ///
   /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
   /// polygons were taken away, each with the vertices of these, if that may have cut something off. Of n islands that
@@ -116,9 +116,6 @@ class Islands {
   /// up to where it leaves the island; behind a hole it goes on. One update passes no hole twice, and rays of one
   /// height that end at the same wall pass it once, unless another one of that height comes between them. So n rays at
   /// n heights, through w cells each, pass n·w cells.
-  ///
-  /// It walks through the ground as it is: update before anything is edited, unloaded or reloaded again, or an island
-  /// that is cut counts no anchors in what left.
   ///
   /// A search for the worst commit, in a field of 160×12 cells, found some 1,200 basic blocks for each segment in the
   /// lists, changed cell, edge in these, polygon walked through, and cell of four rows. A test holds it below 2,500.
@@ -177,8 +174,8 @@ struct Foreseen {
 
 /// What an edit would do to the islands: makes it, commits, and rolls back. The world and the view are as before, but
 /// for the ids of loops and islands (see LoopId), and the redo is over, as after any edit; ids in the result name
-/// nothing. An edit that is refused, so that it returns false, would do nothing; nor would an empty function. No edit
-/// may be pending. Cost: that of the edit, of two updates and of a roll-back.
+/// nothing. An edit that is refused, so that it returns false, would do nothing; nor would an empty function; and in a
+/// world that hasUncommitted() nothing is tried. Cost: that of the edit, of two updates and of a roll-back.
 [[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
 
 }  // namespace lgs
