@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # The tests, from a fresh clone. Installs by apt what is missing first.
 #
-#   ./test.sh        all: laws at half their scale, costs and packages in Release with g++; for a minute planted bugs of what changed in
-#                    lib/ since LGS_SINCE (default: the last 20 commits), as far as Git knows; all tests with clang++ and
-#                    the address and undefined-behaviour sanitizers; those of threads with the thread sanitizer; and the
-#                    web side, in Node and Chromium, unless LGS_WEB=OFF
+#   ./test.sh        all: laws at a quarter of their scale, costs and packages in Release with g++; for a minute planted
+#                    bugs of what changed in lib/ since LGS_SINCE (default: the last 20 commits), as far as Git knows; all
+#                    tests with clang++ and the address and undefined-behaviour sanitizers; those of threads with the
+#                    thread sanitizer; and the web side, in Node and Chromium, unless LGS_WEB=OFF
 #   ./test.sh quick  the heart alone, while one works: all laws of engine, brushes and views at a small scale,
 #                    regressions, two seconds of each fuzzer
 #   ./test.sh full   for a night: all at three times their scale, all planted bugs of what changed since LGS_SINCE, half
@@ -95,7 +95,7 @@ case ${1:-} in
     show canary "A canary, which must be found" proptests/bugs/run.py --canary "$(date +%j)"
     ;;
   "")
-    export LGS_TEST_SCALE=${LGS_TEST_SCALE:-0.5}
+    export LGS_TEST_SCALE=${LGS_TEST_SCALE:-0.25}
     everything
     ;;
   *)
