@@ -65,9 +65,6 @@ struct Border {
     assert(found != kept.end() && found->local == local);
     return *found;
   }
-  std::uint64_t bytes() const {
-    return sizeof *this + runs.capacity() * sizeof runs[0] + kept.capacity() * sizeof kept[0];
-  }
 };
 
 }  // namespace lgs::detail

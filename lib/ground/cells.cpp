@@ -1,7 +1,7 @@
 #include "ground/cells.h"
 
 #include "geometry/sort.h"
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 #include <algorithm>
 #include <bit>

@@ -7,7 +7,7 @@
 #include "geometry/radial_match.h"
 #include "ground/edge.h"
 #include "ground/polygon.h"
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 #include <lgs/lattice.h>
 

@@ -234,9 +234,9 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   if (const auto done = checkFill(cells, shape, block); !done) return refuse(done.error());
   const InternedShape& interned = ground_.catalogue.shape(shape);
-  const ChunkRect reach(cells);
-  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.obtain({ci * kChunkSize, cj * kChunkSize});
+  ChunkRect(cells).forEach([this](std::int32_t ci, std::int32_t cj) {
+    ground_.obtain({ci * kChunkSize, cj * kChunkSize});
+  });
   const std::int64_t width = std::int64_t{cells.max.i} - cells.min.i + 1;
   const std::int64_t height = std::int64_t{cells.max.j} - cells.min.j + 1;
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {

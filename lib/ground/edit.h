@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ground/ground.h"
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 #include <lgs/world.h>
 

@@ -1,6 +1,6 @@
 #include "ground/ground.h"
 
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 namespace lgs::detail {
 

@@ -48,14 +48,11 @@ std::vector<std::uint32_t> Ground::byRows(std::vector<std::uint32_t> numbers) co
 
 std::vector<std::uint32_t> Ground::chunksWithin(const CellRect& cells, bool areUnloaded) const {
   std::vector<std::uint32_t> numbers;
-  if (areUnloaded)
-    grid.forEachUnloaded(cells, [&](std::uint32_t k) {
-      if (isWithin(cells, grid.border(k)->ci, grid.border(k)->cj)) numbers.push_back(k);
-    });
-  else
-    grid.forEachChunk(cells, [&](const Chunk& c) {
-      if (!c.isUnloaded && isWithin(cells, c.ci, c.cj)) numbers.push_back(c.index);
-    });
+  if (areUnloaded && grid.unloadedCount() == 0) return numbers;
+  grid.forEachNumber(cells, [&](std::uint32_t number) {
+    const auto [ci, cj] = *grid.placeOf(number);
+    if ((grid.border(number) != nullptr) == areUnloaded && isWithin(cells, ci, cj)) numbers.push_back(number);
+  });
   return byRows(std::move(numbers));
 }
 
@@ -272,9 +269,9 @@ void Ground::noteStreamed(std::uint32_t number) {
 
 void Ground::refreshAround(std::uint32_t number) {
   const auto [ci, cj] = *grid.placeOf(number);
-  for (std::int32_t dj = -1; dj <= 1; ++dj)
-    for (std::int32_t di = -1; di <= 1; ++di)
-      if (const std::uint32_t there = grid.numberAt(ci + di, cj + dj); grid.border(there)) refreshLater(there);
+  grid.forEachAround(ci, cj, [this](std::uint32_t there, std::size_t) {
+    if (grid.border(there)) refreshLater(there);
+  });
 }
 
 /// The cells at the rim of an unloaded chunk hold what they held, if somebody needs that, or nothing.

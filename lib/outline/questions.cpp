@@ -76,21 +76,12 @@ SegmentEnds endsOf(const Grid& grid, const Outline& outline, std::uint32_t id) {
 /// The chunks with cells of a rectangle that were unloaded at the last commit: calls visit(cells) with those of each.
 template <class Visit>
 void forEachHidden(const Grid& grid, const Outline& outline, const CellRect& cells, Visit&& visit) {
-  const ChunkRect reach(cells);
-  const auto see = [&](std::int32_t ci, std::int32_t cj, std::uint32_t number) {
-    if (!outline.hidden().are(number)) return;
-    const Cell first{ci * kChunkSize, cj * kChunkSize};
+  grid.forEachNumber(cells, [&](std::uint32_t number) {
+    if (!outline.hides(number)) return;
+    const Cell first = grid.cellOfAny(number * kChunkCells);
     visit(
         CellRect{first, {std::min(first.i + kChunkSize - 1, kMaxCell), std::min(first.j + kChunkSize - 1, kMaxCell)}});
-  };
-  if (reach.count() > grid.highest()) {
-    for (std::uint32_t number = 1; number <= grid.highest(); ++number)
-      if (const auto place = grid.placeOf(number); place && reach.contains(place->first, place->second))
-        see(place->first, place->second, number);
-    return;
-  }
-  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) see(ci, cj, grid.numberAt(ci, cj));
+  });
 }
 
 /// The cell of a rectangle that is nearest to a point, and how far it is.
@@ -144,7 +135,7 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
   std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);
   for (;; reach = std::min(most, 2 * reach)) {
     grid.forEachCell(cellsWithin(p, reach), [&](CellAt at, Cell) {
-      if (outline.hidden().are(at.chunk->index)) return;
+      if (outline.hides(at.chunk->index)) return;
       for (const std::uint32_t id : outline.lists.of(at).all()) {
         const NearestOnEdge here = nearestOnEdge(endsOf(grid, outline, id), p);
         const auto order = here.squared <=> best.squared;
@@ -156,7 +147,7 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
     });
     if (reach == most || (nearest != kNoSegment && best.squared <= squared(reach))) break;
   }
-  if (outline.hidden().any()) {
+  if (outline.hidesAny()) {
     std::optional<Cell> unseen;
     forEachHidden(grid, outline, cellsWithin(p, reach), [&](const CellRect& chunk) {
       const auto [cell, distance] = nearestCell(chunk, p);
@@ -186,7 +177,7 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
   walk(
       ray,
       [&](CellIndex cell) {
-        if (outline.hidden().any() && outline.hidden().are(grid.numberAt(cellOf(cell).i >> 5, cellOf(cell).j >> 5))) {
+        if (outline.hidesAny() && outline.hides(grid.numberAt(cellOf(cell).i >> 5, cellOf(cell).j >> 5))) {
           Fraction at;
           if (!inRange(cellOf(cell)) || !meets(ray, cell, at) || (unseen && unseenAt <= at)) return;
           unseenAt = at;

@@ -1,8 +1,7 @@
 #include "world/history.h"
 
 #include "geometry/sort.h"
-#include "storage/held_bytes.h"
-#include "storage/owned.h"
+#include "storage/vectors.h"
 
 #include <algorithm>
 #include <cassert>

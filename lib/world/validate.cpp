@@ -35,7 +35,7 @@ class Validation {
   void lookAtChunk([[maybe_unused]] const Chunk& chunk) const {
     assert(&ground_.grid.chunk(chunk.index) == &chunk && chunk.self() == &chunk);
     assert(chunk.isUnloaded == (ground_.grid.border(chunk.index) != nullptr));
-    assert(outline_.hidden().are(chunk.index) == chunk.isUnloaded);
+    assert(outline_.hides(chunk.index) == chunk.isUnloaded);
     assert(chunk.dirtyRows == 0);
     for (std::int32_t k = 0; k < 9; ++k) {
       const std::int32_t di = k % 3 - 1, dj = k / 3 - 1;

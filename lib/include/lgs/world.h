@@ -64,7 +64,7 @@ struct Stats {
   std::uint64_t shapes = 0;    ///< made so far
   std::uint64_t contents = 0;  ///< distinct contents of cells; those that no cell has are forgotten in time
   std::uint64_t chunks = 0;    ///< of 32×32 cells, ever touched by an edit, and not forgotten
-  std::uint64_t bytes = 0;     ///< allocated, with spare capacity; an estimate for the index of shapes
+  std::uint64_t bytes = 0;     ///< allocated, with spare capacity; an estimate for unloaded chunks
 };
 
 class Transaction;
