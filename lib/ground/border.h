@@ -38,7 +38,7 @@ inline void insert(CellMask& cells, std::uint32_t local) {
 }
 
 struct Border {
-  /// Cells at the rim, in a row, that hold the same.
+  /// Cells at the rim, in a row, that hold the same; several have no list.
   struct Run {
     std::uint32_t cells = 0;
     CellWord word = 0;

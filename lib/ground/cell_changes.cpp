@@ -30,7 +30,7 @@ void CellChanges::leaves(const Ground& ground, Journal::Moment commit, std::uint
   for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
     polygons.clear();
     const auto edited = pending.find(at.ref());
-    ground.read(edited == pending.end() ? ground.held(at) : ground.held(*edited->second), polygons);
+    ground.read(at.ref(), edited == pending.end() ? ground.held(at) : ground.held(*edited->second), polygons);
     if (polygons.empty()) continue;
     LeftCell& cell = left_.emplace_back(LeftCell{at.ref(), {}});
     for (const PlacedPolygon& p : polygons)
@@ -57,7 +57,7 @@ void CellChanges::readStreamed(const Ground& ground, Journal::Moment commit) {
     if (isNoted(cell.ref)) continue;
     now.clear();
     if (ground.grid.stateOf(cell.ref / kChunkCells) == ChunkState::loaded)
-      ground.read(ground.held(ground.grid.find(cell.ref)), now);
+      ground.read(cell.ref, ground.held(ground.grid.find(cell.ref)), now);
     if (!now.empty()) continue;
     polygons.clear();
     for (const LeftPolygon& p : cell.polygons) polygons.push_back({p.handle, p.block, p.vertices});
@@ -71,7 +71,7 @@ void CellChanges::readStreamed(const Ground& ground, Journal::Moment commit) {
     if (ground.grid.stateOf(chunk) != ChunkState::loaded) continue;
     for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
       polygons.clear();
-      ground.read(ground.held(at), polygons);
+      ground.read(at.ref(), ground.held(at), polygons);
       if (!polygons.empty() && !isNoted(at.ref())) add(at.cell(), {}, polygons);
     }
   }
@@ -108,13 +108,13 @@ void CellChanges::read(Ground& ground, Journal::Moment commit, Way way) {
     const bool hasLeft = left != left_.end() && left->ref == note.key;
     then.clear();
     now.clear();
-    ground.read(ground.held(note), then);
+    ground.read(note.key, ground.held(note), then);
     const bool isGivenUp = hasLeft && then.empty();
     if (way == Way::stay && was == is && !isGivenUp) continue;
     if (way == Way::stay)
       now = then;
     else if (way == Way::back ? was : is)
-      ground.read(ground.heldNow(note.key), now);
+      ground.read(note.key, ground.heldNow(note.key), now);
     if (way == Way::back) std::swap(then, now);
     if (hasLeft) {
       then.clear();

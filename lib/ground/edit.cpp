@@ -14,12 +14,12 @@ namespace lgs::detail {
 void Edit::open(Cell cell) {
   cell_ = cell;
   at_ = ground_.grid.seek(cell);
-  lastSerial_ = ground_.lastSerial(at_);
+  const Held held = ground_.held(at_);
+  lastSerial_ = held.lastSerial();
   newOnes_ = 0;
   entries_.clear();
   const std::span<const PolygonId> polygons = ground_.content(at_).polygons;
-  for (std::size_t slot = 0; slot < polygons.size(); ++slot)
-    entries_.push_back({polygons[slot], ground_.placed(at_)[static_cast<Slot>(slot)]});
+  for (std::size_t slot = 0; slot < polygons.size(); ++slot) entries_.push_back({polygons[slot], held[slot]});
 }
 
 /// One polygon more, with the next serial.
@@ -147,15 +147,16 @@ Expected<PolygonHandle> Edit::add(Cell cell, PolygonView polygon, Block block) {
 }
 
 Expected<void> Edit::remove(PolygonHandle polygon) {
-  const auto slot = ground_.slotOf(polygon);
-  if (!slot) return refuse(ground_.noPolygon(polygon));
-  const CellAt at = ground_.grid.find(polygon.cellRef);
-  if (ground_.content(at).polygons.size() == 1) {  // what is left needs no content
-    ground_.set(at, kEmptyContent, ground_.lastSerial(at), {});
+  const auto found = ground_.find(polygon);
+  if (!found) return refuse(found.error());
+  const CellAt at = found->at;
+  const Held held = ground_.held(at);
+  if (held.size() == 1) {  // what is left needs no content
+    ground_.set(at, kEmptyContent, held.lastSerial(), {});
     return {};
   }
   open(at.cell());
-  entries_.erase(entries_.begin() + *slot);
+  entries_.erase(entries_.begin() + found->slot);
   return close().map([](PolygonHandle) {});
 }
 
@@ -193,11 +194,11 @@ Expected<void> Edit::exchange(Cell cell, std::span<const PolygonHandle> removed,
 }
 
 Expected<void> Edit::setBlock(PolygonHandle polygon, Block block) {
-  const auto slot = ground_.slotOf(polygon);
-  if (!slot) return refuse(ground_.noPolygon(polygon));
-  open(ground_.grid.cellOf(polygon.cellRef));
-  if (entries_[*slot].placed.block == block) return {};
-  entries_[*slot].placed.block = block;  // another overlap may be preserved now
+  const auto found = ground_.find(polygon);
+  if (!found) return refuse(found.error());
+  open(found->at.cell());
+  if (entries_[found->slot].placed.block == block) return {};
+  entries_[found->slot].placed.block = block;  // another overlap may be preserved now
   return close().map([](PolygonHandle) {});
 }
 
@@ -257,9 +258,9 @@ Expected<std::uint64_t> Edit::clear(const CellRect& cells) {
   if (const auto cell = ground_.firstUnloaded(cells)) return refuse({.code = ErrorCode::unloaded, .cell = *cell});
   std::uint64_t count = 0;
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell) {
-    const std::size_t polygons = ground_.content(at).polygons.size();
-    if (polygons != 0) ground_.set(at, kEmptyContent, ground_.lastSerial(at), {});
-    count += polygons;
+    const Held held = ground_.held(at);
+    count += held.size();
+    if (held.size() != 0) ground_.set(at, kEmptyContent, held.lastSerial(), {});
   });
   return count;
 }

@@ -30,7 +30,7 @@ namespace {
 /// entries that placed something in it.
 std::int32_t entryThatPlaced(const Ground& ground, std::span<const Placement> placed, PolygonHandle polygon) {
   const Cell cell = ground.grid.cellOf(polygon.cellRef);
-  std::size_t before = ground.lastSerial(ground.grid.find(cell));
+  std::size_t before = ground.held(ground.grid.find(cell)).lastSerial();
   for (std::size_t k = placed.size(); k-- != 0;) {
     if (placed[k].cell != cell) continue;
     before -= ground.catalogue.shape(placed[k].shape).polygons.size();

@@ -66,7 +66,7 @@ void Ground::exchangeChunk(Note& note) {
 
 void Ground::drop(const Note& note) {
   if (note.thing == Thing::cell) {
-    dropMoved(note.value, journal);
+    dropCell(note);
     const Border* border = grid.border(note.key / kChunkCells);
     const bool isWaiting = !spare_.empty() && spare_.back() == note.key / kChunkCells;
     if (border && !border->kept.empty() && !isWaiting) spare_.push_back(note.key / kChunkCells);
@@ -75,12 +75,10 @@ void Ground::drop(const Note& note) {
   }
 }
 
-void Ground::forEachNotedContent(const std::function<void(ContentId)>& visit) const {
-  journal.forEach([&](const Note& note) {
-    if (note.thing != Thing::cell) return;
-    const Held held = this->held(note);
-    visit(held.list != nullptr ? PolygonList(held.list).content() : held.word >> kLowBits);
-  });
+/// What a cell held.
+void Ground::dropCell(const Note& note) {
+  catalogue.release(held(note).content());
+  if (isListed(note.value)) journal.release(note.value & ~kListBit);
 }
 
 void Ground::takeBack(Journal::Moment moment) {

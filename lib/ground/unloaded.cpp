@@ -11,8 +11,10 @@
 #include "ground/ground.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace lgs::detail {
@@ -70,7 +72,7 @@ std::vector<std::uint32_t> Ground::forgetChunks(const CellRect& cells) {
   assert(!hasChanged());
   std::vector<std::uint32_t> gone;
   for (const std::uint32_t number : chunksWithin(cells, false))
-    if (std::ranges::all_of(grid.chunk(number).cells, [&](CellWord word) { return holdsNothing(word); }))
+    if (std::ranges::all_of(grid.chunk(number).cells, [&](CellWord word) { return held(word).size() == 0; }))
       gone.push_back(number);
   for (const std::uint32_t number : gone) {
     const Chunk& chunk = grid.chunk(number);
@@ -111,8 +113,8 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
     if (isNoted)
       border.kept.push_back(isRim ? Border::Kept{at.local} : Border::Kept{at.local, at.word(), chunk.block(at.local)});
     else
-      border.lastSerial = std::max(border.lastSerial, lastSerial(at));
-    if (isRim && (isNoted || !holdsNothing(at.word()))) continue;
+      border.lastSerial = std::max(border.lastSerial, held(at).lastSerial());
+    if (isRim && (isNoted || held(at).size() != 0)) continue;
     if (!isNoted) drop(at.word());
     lay(at, 0, 0);
   }
@@ -132,9 +134,7 @@ Chunk& Ground::load(std::uint32_t number, CellMask& known) {
   }
   for (std::uint32_t k = 0; k < kRimCells; ++k) {
     const CellAt at{&chunk, rimCell(k)};
-    if (contains(known, at.local)) continue;
-    drop(at.word());
-    lay(at, 0, 0);
+    if (!contains(known, at.local)) empty(at);
   }
   stream(number);
   return chunk;
@@ -146,8 +146,8 @@ std::uint32_t Ground::lastSerialIn(std::uint32_t number) {
   const Border& border = *grid.border(number);
   std::uint32_t last = border.lastSerial;
   for (std::uint32_t k = 0; k < kRimCells; ++k)
-    last = std::max(last, lastSerial(CellAt{&grid.chunk(number), rimCell(k)}));
-  for (const Border::Kept& kept : border.kept) last = std::max(last, lastSerial(held(0, kept.word, kept.block)));
+    last = std::max(last, held(CellAt{&grid.chunk(number), rimCell(k)}).lastSerial());
+  for (const Border::Kept& kept : border.kept) last = std::max(last, held(kept.word).lastSerial());
   return last;
 }
 
@@ -156,38 +156,39 @@ std::uint32_t Ground::lastSerialIn(std::uint32_t number) {
 void Ground::loadEmpty(std::uint32_t number) {
   std::uint32_t lastSerial = lastSerialIn(number);
   const std::pair place = *grid.placeOf(number);
-  const bool withUndone = std::ranges::none_of(journal.undone(), [&](const Note& note) {
+  const bool withUndone = std::ranges::none_of(std::as_const(journal).undone(), [&](const Note& note) {
     const std::pair then{static_cast<std::int32_t>(note.value), static_cast<std::int32_t>(note.block)};
     return note.thing == Thing::chunk && note.key == number && then != place;
   });
   const auto isOfChunk = [&](const Note& note) {
     return note.thing == Thing::cell && note.key / kChunkCells == number;
   };
-  const auto look = [&](const Note& note) {
-    if (isOfChunk(note)) lastSerial = std::max(lastSerial, Cells::lastSerial(held(note)));
-  };
-  journal.forEach(look, withUndone);
-  const auto giveUp = [&](Note& note) {
-    if (note.thing == Thing::chunk && note.key == number) note.isGivenUp = true;
-    if (!isOfChunk(note)) return;
-    dropMoved(note.value, journal);
-    note.value = moveOut(emptyWord(lastSerial), journal);
-  };
-  journal.forEach(giveUp, withUndone);
+  const std::array all{journal.notes(), withUndone ? journal.undone() : std::span<Note>()};
+  for (const std::span<Note> notes : all)
+    for (const Note& note : notes)
+      if (isOfChunk(note)) lastSerial = std::max(lastSerial, held(note).lastSerial());
+  for (const std::span<Note> notes : all) {
+    for (Note& note : notes) {
+      if (note.thing == Thing::chunk && note.key == number) note.isGivenUp = true;
+      if (!isOfChunk(note)) continue;
+      dropCell(note);
+      note.value = moveOut(wordFor(kEmptyContent, lastSerial, {}), journal);
+    }
+  }
   CellMask known;
   Chunk& chunk = load(number, known);
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
     drop(at.word());
-    lay(at, inRange(at.cell()) ? emptyWord(lastSerial) : 0, 0);
+    lay(at, inRange(at.cell()) ? wordFor(kEmptyContent, lastSerial, {}) : 0, 0);
   }
 }
 
-Ground::Held Ground::heldNow(std::uint32_t ref) {
+Held Ground::heldNow(std::uint32_t ref) {
   const std::uint32_t number = ref / kChunkCells, local = ref % kChunkCells;
   if (Border* border = grid.border(number)) {
     if (!isAtRim(local)) {
       const Border::Kept& kept = border->keptAt(local);
-      return held(ref, kept.word, kept.block);
+      return held(kept.word, kept.block);
     }
     wakeRim(number);
   }
@@ -202,9 +203,12 @@ void Ground::wakeRim(std::uint32_t number) {
   if (border.isRimInChunk) return;
   border.isRimInChunk = true;
   std::uint32_t k = 0;
-  for (const Border::Run& run : std::exchange(border.runs, {}))
-    for (std::uint32_t n = 0; n < run.cells; ++n)
-      lay({&chunk, rimCell(k++)}, n == 0 ? run.word : copyOf(run.word), run.block);
+  for (const Border::Run& run : std::exchange(border.runs, {})) {
+    for (std::uint32_t n = 0; n < run.cells; ++n) {
+      if (n != 0) catalogue.use(held(run.word).content());
+      lay({&chunk, rimCell(k++)}, run.word, run.block);
+    }
+  }
   refreshLater(number);
 }
 
@@ -236,7 +240,7 @@ void Ground::trim(std::uint32_t number) {
   const CellMask noted = notedCells(number);
   std::erase_if(border.kept, [&](const Border::Kept& kept) {
     if (contains(noted, kept.local)) return false;
-    border.lastSerial = std::max(border.lastSerial, lastSerial(held(0, kept.word, kept.block)));
+    border.lastSerial = std::max(border.lastSerial, held(kept.word).lastSerial());
     drop(kept.word);
     return true;
   });

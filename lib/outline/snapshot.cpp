@@ -13,20 +13,6 @@ using What = SnapshotError::What;
 
 /// Ids as distances from the previous id + 1. That is mostly one byte, and never less. So a short file cannot ask for
 /// many segments.
-class IdWriter {
- public:
-  explicit IdWriter(SnapshotWriter& out) : out_(out) {}
-
-  void write(std::uint32_t id) {
-    out_.number(folded(std::int64_t{id} - last_ - 1));
-    last_ = id;
-  }
-
- private:
-  SnapshotWriter& out_;
-  std::int64_t last_ = 0;
-};
-
 class IdReader {
  public:
   explicit IdReader(SnapshotReader& in) : in_(in) {}
@@ -67,14 +53,18 @@ std::uint64_t countShown(const Ground& ground, std::uint64_t most) {
 }  // namespace
 
 void save(const Ground& ground, const Outline& outline, SnapshotWriter& out) {
-  IdWriter ids(out);
+  std::int64_t last = 0;
+  const auto write = [&](std::span<const std::uint32_t> ids) {
+    for (const std::uint32_t id : ids) {
+      out.number(folded(id - last - 1));
+      last = id;
+    }
+  };
   const std::span<const std::uint32_t> free = outline.segments.free();
   out.number(free.size());
-  for (const std::uint32_t id : free) ids.write(id);
+  write(free);
   out.number(0);  // older libraries have some of the free ones apart
-  forEachCell(ground, [&](CellAt at) {
-    for (const std::uint32_t id : outline.lists.of(at).all()) ids.write(id);
-  });
+  forEachCell(ground, [&](CellAt at) { write(outline.lists.of(at).all()); });
 }
 
 // Each id up to the highest names a segment, or is free.

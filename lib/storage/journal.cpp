@@ -83,7 +83,7 @@ void Journal::stop() {
 
 bool Journal::isValid() const {
   std::set<std::uint64_t> hashes;
-  for (const Note& note : std::span(notes_).subspan(dropped_)) hashes.insert(hashOf(note.thing, note.key));
+  for (const Note& note : notes()) hashes.insert(hashOf(note.thing, note.key));
   for (const std::uint64_t hash : hashes)
     if (newest_.find(hash) < places_.front().moment) return false;
   const auto isInOrder = [](const Place& a, const Place& b) { return a.moment < b.moment && a.begin <= b.begin; };

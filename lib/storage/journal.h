@@ -99,20 +99,12 @@ class Journal {
   /// moment, displaced a note of before it.
   std::span<const Note> since(Moment moment) const { return std::span(notes_).subspan(places_[indexOf(moment)].begin); }
 
-  /// Calls visit(note) for each that is there, undone or not.
-  template <class Visit>
-  void forEach(Visit&& visit) const {
-    for (const Note& note : std::span(notes_).subspan(dropped_)) visit(note);
-    for (const Note& note : undone_) visit(note);
-  }
-  template <class Visit>
-  void forEach(Visit&& visit, bool withUndone) {
-    for (Note& note : std::span(notes_).subspan(dropped_)) visit(note);
-    if (!withUndone) return;
-    for (Note& note : undone_) visit(note);
-  }
+  /// All that are there.
+  std::span<const Note> notes() const { return std::span(notes_).subspan(dropped_); }
+  std::span<Note> notes() { return std::span(notes_).subspan(dropped_); }
   /// What was undone and can come back, the first to come back last.
   std::span<const Note> undone() const { return undone_; }
+  std::span<Note> undone() { return undone_; }
   /// Whether moments and notes are in order.
   bool isValid() const;
 

@@ -355,7 +355,7 @@ void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const noexcept 
 }
 bool World::isEmpty(Cell cell) const noexcept {
   const detail::CellAt at = impl_->ground.grid.find(cell);
-  return !at || at.chunk->isUnloaded || impl_->ground.contentId(at) == detail::kEmptyContent;
+  return !at || at.chunk->isUnloaded || impl_->ground.held(at).size() == 0;
 }
 void World::forEachPolygon(const PolygonVisitor& visit) const noexcept { forEachPolygon(detail::kWholeWorld, visit); }
 void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const noexcept {
@@ -364,10 +364,7 @@ void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) c
 std::optional<CellRect> World::bounds() const noexcept { return boundsOf(impl_->ground); }
 Spot World::at(Point point) const noexcept { return spotAt(impl_->ground, point); }
 
-Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const noexcept {
-  if (const auto found = polygonOf(impl_->ground, handle)) return *found;
-  return refuse(impl_->ground.noPolygon(handle));
-}
+Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const noexcept { return polygonOf(impl_->ground, handle); }
 
 Expected<Cell> World::cellOf(PolygonHandle handle) const noexcept {
   return polygon(handle).map([&](const PlacedPolygon&) { return impl_->ground.grid.cellOf(handle.cellRef); });
