@@ -5,7 +5,6 @@
 #include "storage/vectors.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 
 namespace lgs::detail {
@@ -41,14 +40,10 @@ void Cells::read(std::uint32_t ref, const Held& held, std::vector<PlacedPolygon>
 
 // --- What changed
 
-Cells::ChangedCells Cells::changedCells() const {
-  ChangedCells cells;
-  for (const Chunk* chunk : changed_) {
-    cells.insert(cells.end(), {chunk->index, chunk->dirtyRows});
-    for (const RowMask row : chunk->dirty)
-      if (row != 0) cells.push_back(row);
-  }
-  return cells;
+std::vector<Cells::ChangedCells> Cells::changedCells() const {
+  std::vector<ChangedCells> changed;
+  for (const Chunk* chunk : changed_) changed.push_back({chunk->index, chunk->dirtyRows, chunk->dirty});
+  return changed;
 }
 
 void Cells::setClean(CellAt at) {
@@ -62,14 +57,13 @@ void Cells::setClean(CellAt at) {
   changed_.pop_back();
 }
 
-void Cells::setChangedCells(const ChangedCells& cells) {
+void Cells::setChangedCells(const std::vector<ChangedCells>& changed) {
   assert(changed_.empty());
-  for (std::size_t k = 0; k < cells.size();) {
-    Chunk& chunk = grid.wake(cells[k++]);
+  for (const ChangedCells& of : changed) {
+    Chunk& chunk = grid.wake(of.chunk);
     changed_.push_back(&chunk);
-    chunk.dirtyRows = cells[k++];
-    for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1)
-      chunk.dirty[static_cast<std::size_t>(std::countr_zero(rows))] = cells[k++];
+    chunk.dirtyRows = of.rows;
+    chunk.dirty = of.cells;
   }
 }
 

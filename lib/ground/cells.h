@@ -11,7 +11,7 @@
 #include <lgs/error.h>
 #include <lgs/world.h>
 
-#include <bit>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -56,10 +56,13 @@ class Cells {
 
   /// The chunks with changed cells, in the order of their first change. Chunk::dirty says which cells these are.
   std::span<Chunk* const> changedChunks() const { return changed_; }
-  /// The changed cells as numbers: of each of these chunks its number, its rows with such cells as bits, and for each of
-  /// these rows its cells as bits.
-  using ChangedCells = std::vector<std::uint32_t>;
-  ChangedCells changedCells() const;
+  /// The changed cells of a chunk.
+  struct ChangedCells {
+    std::uint32_t chunk = 0;  ///< its number
+    RowMask rows = 0;
+    std::array<RowMask, kChunkSize> cells{};  ///< by row
+  };
+  std::vector<ChangedCells> changedCells() const;
 
   std::uint64_t bytes() const;
 
@@ -85,13 +88,11 @@ class Cells {
   /// changed cells is the last of changedChunks().
   void setClean(CellAt at);
   /// No cell has changed; from now on these have.
-  void setChangedCells(const ChangedCells& cells);
+  void setChangedCells(const std::vector<ChangedCells>& changed);
   /// From now on no cell has changed.
   void clearChanges() {
     for (Chunk* chunk : changed_) {
-      for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
-        chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
-      chunk->dirtyRows = 0;
+      forEachBit(std::exchange(chunk->dirtyRows, 0), [&](std::uint32_t row) { chunk->dirty[row] = 0; });
     }
     changed_.clear();
   }

@@ -7,6 +7,7 @@
 #include <lgs/lattice.h>
 
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,12 @@ constexpr bool isInner(std::uint32_t local) {
 }
 
 using RowMask = std::uint32_t;  ///< a bit for each cell in a row of a chunk
+
+/// Calls visit(k) for each bit k that is set.
+template <class Bits, class Visit>
+void forEachBit(Bits bits, Visit&& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
 
 struct Chunk {
   std::int32_t ci = 0;  ///< coordinates in chunks: those of any of its cells >> 5

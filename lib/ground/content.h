@@ -3,9 +3,9 @@
 // (phase 2).
 #pragma once
 
+#include "geometry/edge.h"
 #include "geometry/predicates.h"
 #include "geometry/radial_match.h"
-#include "ground/edge.h"
 #include "ground/polygon.h"
 #include "storage/vectors.h"
 

@@ -19,7 +19,7 @@ std::uint64_t hashOf(std::uint64_t seed, std::int32_t ci, std::int32_t cj) {
 Grid::Grid(const Grid& other)
     : chunks_(other.chunks_),
       borders_(other.borders_),
-      unloadedRows_(other.unloadedRows_),
+      unloadedPlaces_(other.unloadedPlaces_),
       free_(other.free_),
       count_(other.count_),
       seed_(other.seed_),
@@ -114,7 +114,7 @@ void Grid::unload(Chunk& chunk, Border border) {
   border.ci = chunk.ci;
   border.cj = chunk.cj;
   borders_.emplace(chunk.index, std::move(border));
-  unloadedRows_.insert(chunk.ci, chunk.cj);
+  unloadedPlaces_.emplace(chunk.cj, chunk.ci);
 }
 
 Border Grid::load(Chunk& chunk) {
@@ -125,7 +125,7 @@ Border Grid::load(Chunk& chunk) {
 
 Border Grid::takeBorder(std::uint32_t number) {
   Border border = std::move(borders_.extract(number).mapped());
-  unloadedRows_.erase(border.ci, border.cj);
+  unloadedPlaces_.erase({border.cj, border.ci});
   giveBackBuckets(borders_);
   return border;
 }
@@ -145,6 +145,16 @@ void Grid::sleep(std::uint32_t number) {
   chunks_.drop(number);
 }
 
+std::optional<std::pair<std::int32_t, std::int32_t>> Grid::firstUnloaded(const CellRect& cells) const {
+  const ChunkRect in(cells);
+  for (auto at = unloadedPlaces_.lower_bound({in.j0, in.i0}); at != unloadedPlaces_.end() && at->first <= in.j1;) {
+    const auto [cj, ci] = *at;
+    if (in.contains(ci, cj)) return std::pair(ci, cj);
+    at = unloadedPlaces_.lower_bound({ci < in.i0 ? cj : cj + 1, in.i0});
+  }
+  return std::nullopt;
+}
+
 bool Grid::hasLoadedBeside(const Border& border) const {
   bool has = false;
   forEachAround(border.ci, border.cj, [&](std::uint32_t number, std::size_t) { has |= !this->border(number); });
@@ -152,8 +162,8 @@ bool Grid::hasLoadedBeside(const Border& border) const {
 }
 
 std::uint64_t Grid::bytes() const {
-  std::uint64_t sum = chunks_.bytes() + heldBytes(free_) + index_.bytes() + unloadedRows_.bytes();
-  sum += tableBytes(borders_);
+  std::uint64_t sum = chunks_.bytes() + heldBytes(free_) + index_.bytes();
+  sum += tableBytes(borders_) + unloadedPlaces_.size() * (sizeof *unloadedPlaces_.begin() + 4 * sizeof(void*));
   for (const auto& [number, border] : borders_) sum += heldBytes(border.runs, border.kept);
   forEachChunk([&](const Chunk& chunk) { sum += heldBytes(chunk.blocks); });
   return sum;

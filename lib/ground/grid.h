@@ -9,7 +9,6 @@
 
 #include "ground/border.h"
 #include "ground/chunk.h"
-#include "ground/chunk_rows.h"
 #include "storage/hash_index.h"
 #include "storage/pages.h"
 #include "storage/vectors.h"
@@ -21,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -102,9 +102,7 @@ class Grid {
   void sleep(std::uint32_t number);
   bool hasLoadedBeside(const Border& border) const;
   /// The first unloaded chunk with cells of a rectangle, by rows: its column and row of chunks.
-  std::optional<std::pair<std::int32_t, std::int32_t>> firstUnloaded(const CellRect& cells) const {
-    return unloadedRows_.first(ChunkRect(cells));
-  }
+  std::optional<std::pair<std::int32_t, std::int32_t>> firstUnloaded(const CellRect& cells) const;
 
   // --- Visits
 
@@ -192,10 +190,10 @@ class Grid {
   // link to one, should there ever be such a link, can be followed: the harness then reports it, where a crash says
   // little.
   Pages<Chunk> chunks_;  ///< by number; null where it is free, or asleep. The last one is in use.
-  std::unordered_map<std::uint32_t, Border> borders_;  ///< by number; of those that are unloaded
-  ChunkRows unloadedRows_;                             ///< where these are
-  std::vector<std::uint32_t> free_;                    ///< numbers, as a heap with the least first
-  std::size_t count_ = 0;                              ///< of numbers in use
+  std::unordered_map<std::uint32_t, Border> borders_;               ///< by number; of those that are unloaded
+  std::set<std::pair<std::int32_t, std::int32_t>> unloadedPlaces_;  ///< where these are: rows and columns
+  std::vector<std::uint32_t> free_;                                 ///< numbers, as a heap with the least first
+  std::size_t count_ = 0;                                           ///< of numbers in use
   std::uint64_t seed_ = anySeed(this);
   HashIndex index_;  ///< numbers by place
   // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so

@@ -12,7 +12,6 @@
 #include "outline/outline.h"
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 
 namespace lgs::detail {
@@ -101,12 +100,12 @@ void Outline::setHidden(std::uint32_t chunk, bool isHidden) {
 /// All segments of a chunk go.
 void Outline::clear(const Chunk& chunk) {
   for (std::uint32_t row = 0; row < kChunkSize; ++row) {
-    for (RowMask left = lists.liveRow(chunk, row); left != 0; left &= left - 1) {
-      const CellAt at{chunk.self(), row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(left))};
+    forEachBit(lists.liveRow(chunk, row), [&](std::uint32_t x) {
+      const CellAt at{chunk.self(), row * kChunkSize + x};
       const std::span<const std::uint32_t> ids = lists.of(at).all();
       for (const std::uint32_t id : ids) remove(id);
       splice(at, 0, static_cast<std::uint32_t>(ids.size()), 0);
-    }
+    });
   }
   lists.forget(chunk.index);  // how they are kept is decided anew
 }

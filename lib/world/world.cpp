@@ -146,13 +146,10 @@ Expected<std::vector<std::span<const LocalPoint>>> World::polygonsOf(ShapeId sha
 Expected<LocalBox> World::boundingBox(ShapeId shape) const noexcept {
   const auto all = polygonsOf(shape);
   if (!all) return refuse(all.error());
-  LocalBox box{all->front().front(), all->front().front()};
-  for (const auto polygon : *all) {
-    const detail::Box<LocalPoint> one = detail::boundingBox(polygon);
-    box.min = {std::min(box.min.x, one.min.x), std::min(box.min.y, one.min.y)};
-    box.max = {std::max(box.max.x, one.max.x), std::max(box.max.y, one.max.y)};
-  }
-  return box;
+  std::vector<LocalPoint> vertices;
+  for (const auto polygon : *all) vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+  const auto [min, max] = detail::boundingBox(vertices);
+  return LocalBox{min, max};
 }
 
 // --- Edits

@@ -261,7 +261,7 @@ class World {
   //
   // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no
   // wall appears where the loaded world ends. For that the outermost cells of an unloaded chunk stay known. They take
-  // 12 bytes for each row of equal ones among these 124, and some 60 more.
+  // 12 bytes for each row of equal ones among these 124, and some 150 more.
   //
   // In an unloaded chunk every edit is refused (ErrorCode::unloaded); so are handles of its polygons, and they are
   // valid again when it is back from its bytes. Questions that would have to look there return that. Whatever lists or
