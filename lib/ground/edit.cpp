@@ -29,6 +29,11 @@ void Edit::place(PolygonId polygon, Block block) {
   entries_.insert(after, {polygon, {lastSerial_ + newOnes_, block}, true});
 }
 
+/// All of a shape.
+void Edit::place(ShapeId shape, Block block) {
+  for (const PolygonId polygon : ground_.catalogue.shape(shape).polygons) place(polygon, block);
+}
+
 /// Whether the cell can hold `entries_`. Overlaps between them are kept where the preserve relation says so.
 Expected<void> Edit::check() {
   if (ground_.grid.isUnloaded(cell_)) return refuse({.code = ErrorCode::unloaded}, cell_);
@@ -125,7 +130,7 @@ Expected<PolygonHandle> Edit::add(Cell cell, ShapeId shape, Block block, std::sp
     return handle;
   }
   open(cell);
-  for (const PolygonId polygon : interned.polygons) place(polygon, block);
+  place(shape, block);
   return close(handles);
 }
 
@@ -162,10 +167,9 @@ Expected<void> Edit::remove(PolygonHandle polygon) {
 
 Expected<PolygonHandle> Edit::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
   if (const auto done = check(cell, shape); !done) return refuse(done.error());
-  const InternedShape& interned = ground_.catalogue.shape(shape);
   open(cell);
   entries_.clear();
-  for (const PolygonId polygon : interned.polygons) place(polygon, block);
+  place(shape, block);
   return close(handles);
 }
 
@@ -211,11 +215,8 @@ Expected<void> Edit::checkFill(const CellRect& cells, ShapeId shape, Block block
   ground_.grid.forEachChunk(cells, [&](const Chunk&) { --missing; });
   if (missing > kMaxChunks - ground_.grid.count()) return refuse({.code = ErrorCode::capacity, .cell = cells.min});
 
-  const auto placeAll = [&] {
-    for (const PolygonId polygon : ground_.catalogue.shape(shape).polygons) place(polygon, block);
-  };
   entries_.clear();
-  placeAll();
+  place(shape, block);
   if (const auto content = this->content(); !content) return refuse(content.error(), cells.min);
   std::optional<Error> refusal;
   if (const auto cell = ground_.firstUnloaded(cells)) refusal = {.code = ErrorCode::unloaded, .cell = *cell};
@@ -223,7 +224,7 @@ Expected<void> Edit::checkFill(const CellRect& cells, ShapeId shape, Block block
     if (at.word() < kLowMask || (refusal && std::pair(refusal->cell.j, refusal->cell.i) < std::pair(cell.j, cell.i)))
       return;
     open(cell);
-    placeAll();
+    place(shape, block);
     if (const auto done = check(); !done) refusal = done.error();
   });
   if (refusal) return refuse(*refusal);

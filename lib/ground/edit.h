@@ -63,6 +63,7 @@ class Edit {
   // An edit of one cell: its polygons become `entries_`, which are changed, and set.
   void open(Cell cell);
   void place(PolygonId polygon, Block block);
+  void place(ShapeId shape, Block block);
   Expected<void> check();
   Expected<ContentId> content();
   Expected<PolygonHandle> close(std::span<PolygonHandle> handles = {});

@@ -222,9 +222,7 @@ class Load {
     for (std::uint32_t local = 0; local < kChunkCells && !in_.failed(); ++local)
       if (isListed(local)) listedCell(local, contentAt(local));
     for (const Filled& f : filled_)
-      if (!inRange(Cell{corner.i + static_cast<std::int32_t>(f.local % kChunkSize),
-                        corner.j + static_cast<std::int32_t>(f.local / kChunkSize)}))
-        in_.fail(What::badNumber);
+      if (!inRange(cellIn(corner.i >> 5, corner.j >> 5, f.local))) in_.fail(What::badNumber);
   }
 
   void compactCell(std::uint32_t local, const Known& known, std::uint64_t serial, RunReader& blocks) {

@@ -53,13 +53,13 @@ void Ground::exchangeChunk(Note& note) {
     [[maybe_unused]] const CellAt at =
         grid.obtain(cellIn(static_cast<std::int32_t>(note.value), static_cast<std::int32_t>(note.block), 0));
     assert(at.chunk->index == note.key);  // the least number that is free
-    if (grid.unloadedCount() != 0) refreshAround(note.key);
+    refreshAround(note.key);
     if (note.isGivenUp) stream(note.key);
     return;
   }
   note.isMoot = grid.border(note.key) != nullptr;
   if (note.isMoot) return;
-  if (grid.unloadedCount() != 0) refreshAround(note.key);
+  refreshAround(note.key);
   for (const CellWord word : grid.chunk(note.key).cells) drop(word);
   grid.forget(note.key);
 }

@@ -156,33 +156,27 @@ class Save {
     });
   }
 
-  /// Visits the cells of a chunk by rows.
-  template <class Visit>
-  static void forEachCell(const Chunk& chunk, Visit&& visit) {
-    for (std::uint32_t local = 0; local < kChunkCells; ++local) visit(CellAt{chunk.self(), local});
-  }
-
   void cells(const Chunk& chunk) {
     std::vector<std::uint64_t> contents, serials, blocks;
-    forEachCell(chunk, [&](CellAt at) {
+    for (CellAt at{chunk.self(), 0}; at.local < kChunkCells; ++at.local) {
       const Held held = ground_.held(at);
       contents.push_back(std::uint64_t{numbers_.ofContent(held.content())} << 1 | (isListed(at.word()) ? 1u : 0u));
-      if (isListed(at.word())) return;
+      if (isListed(at.word())) continue;
       serials.push_back(held.lastSerial());
       if (held.size() != 0) blocks.push_back(held[0].block);
-    });
+    }
     out_.runs(contents);
     out_.runs(serials);
     out_.runs(blocks);
-    forEachCell(chunk, [&](CellAt at) {
-      if (!isListed(at.word())) return;
+    for (CellAt at{chunk.self(), 0}; at.local < kChunkCells; ++at.local) {
+      if (!isListed(at.word())) continue;
       const Held held = ground_.held(at);
       out_.number(held.lastSerial());
       for (const Slot slot : numbers_.slots(ground_.content(at))) {
         out_.number(held[slot].serial);
         out_.number(held[slot].block);
       }
-    });
+    }
   }
 
   const Ground& ground_;

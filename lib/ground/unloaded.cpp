@@ -15,6 +15,7 @@
 #include <cassert>
 #include <iterator>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace lgs::detail {
@@ -34,17 +35,13 @@ bool isWithin(const CellRect& cells, std::int32_t ci, std::int32_t cj) {
 // --- Which chunks
 
 std::vector<std::uint32_t> Ground::byRows(std::vector<std::uint32_t> numbers) const {
-  constexpr std::int32_t kHalf = 1 << 26;  // columns and rows of chunks are less far from 0
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
+  std::vector<std::tuple<std::int32_t, std::int32_t, std::uint32_t>> places;  // row, column, number
   for (const std::uint32_t number : numbers)
-    if (const auto place = grid.placeOf(number))
-      places.emplace_back(
-          static_cast<std::uint64_t>(place->second + kHalf) << 32 | static_cast<std::uint64_t>(place->first + kHalf),
-          number);
+    if (const auto place = grid.placeOf(number)) places.emplace_back(place->second, place->first, number);
   detail::sort(places);
   numbers.clear();
-  for (const auto& place : places)
-    if (numbers.empty() || numbers.back() != place.second) numbers.push_back(place.second);
+  for (const auto& [row, column, number] : places)
+    if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
   return numbers;
 }
 
@@ -272,6 +269,7 @@ void Ground::noteStreamed(std::uint32_t number) {
 }
 
 void Ground::refreshAround(std::uint32_t number) {
+  if (grid.unloadedCount() == 0) return;
   const auto [ci, cj] = *grid.placeOf(number);
   grid.forEachAround(ci, cj, [this](std::uint32_t there, std::size_t) {
     if (grid.border(there)) refreshLater(there);

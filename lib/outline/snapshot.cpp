@@ -34,18 +34,11 @@ class IdReader {
   std::int64_t last_ = 0;
 };
 
-template <class Visit>
-void forEachCell(const Ground& ground, Visit&& visit) {
-  ground.grid.forEachChunk([&](Chunk& chunk) {
-    for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) visit(at);
-  });
-}
-
 /// How many segments a ground shows; or more than `most`, if they are more.
 std::uint64_t countShown(const Ground& ground, std::uint64_t most) {
   std::uint64_t shown = 0;
-  forEachCell(ground, [&](CellAt at) {
-    if (shown <= most && ground.contentId(at) != kEmptyContent) shown += Look(ground, at).count();
+  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell) {
+    if (shown <= most && ground.held(at).size() != 0) shown += Look(ground, at).count();
   });
   return shown;
 }
@@ -64,7 +57,7 @@ void save(const Ground& ground, const Outline& outline, SnapshotWriter& out) {
   out.number(free.size());
   write(free);
   out.number(0);  // older libraries have some of the free ones apart
-  forEachCell(ground, [&](CellAt at) { write(outline.lists.of(at).all()); });
+  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell) { write(outline.lists.of(at).all()); });
 }
 
 // Each id up to the highest names a segment, or is free.
@@ -85,8 +78,8 @@ void load(const Ground& ground, Outline& outline, SnapshotReader& in) {
   };
   for (const std::uint32_t id : free) see(id);
   outline.load(static_cast<std::uint32_t>(count), std::move(free));
-  forEachCell(ground, [&](CellAt at) {
-    if (in.failed() || ground.contentId(at) == kEmptyContent) return;
+  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell) {
+    if (in.failed() || ground.held(at).size() == 0) return;
     const Look look(ground, at);
     const std::uint32_t here = look.count();
     if (here == 0) return;
