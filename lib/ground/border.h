@@ -38,7 +38,7 @@ inline void insert(CellMask& cells, std::uint32_t local) {
 }
 
 struct Border {
-  /// Cells at the rim, in a row, that hold the same.
+  /// Cells at the rim, in a row, that hold the same; several have no list.
   struct Run {
     std::uint32_t cells = 0;
     CellWord word = 0;
@@ -64,9 +64,6 @@ struct Border {
     const auto found = std::ranges::lower_bound(kept, local, {}, &Kept::local);
     assert(found != kept.end() && found->local == local);
     return *found;
-  }
-  std::uint64_t bytes() const {
-    return sizeof *this + runs.capacity() * sizeof runs[0] + kept.capacity() * sizeof kept[0];
   }
 };
 

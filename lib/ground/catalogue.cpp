@@ -27,6 +27,11 @@ std::uint64_t hashOf(std::uint64_t seed, std::span<const PolygonId> polygons,
   return hash;
 }
 
+/// For an index: a number among those with the same hash.
+auto is(std::uint64_t id) {
+  return [id](std::uint64_t number) { return number == id; };
+}
+
 /// Puts the value at a free number, or at the next one.
 template <class T>
 std::uint32_t store(std::vector<T>& table, std::vector<std::uint32_t>& free, T value) {
@@ -48,30 +53,30 @@ Catalogue::Catalogue() {
 }
 
 Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
-  const auto isIt = [&](PolygonId id) { return std::ranges::equal(polygons_[id].vertices, vertices); };
-  if (lastPolygon_ < polygons_.size() && !vertices.empty() && isIt(lastPolygon_)) return lastPolygon_;
-  const std::uint64_t hash = hashOf(polygonIndex_.seed(), vertices);
-  if (const std::uint32_t found = polygonIndex_.find(hash, isIt); found != HashIndex::kNone)
-    return lastPolygon_ = found;
+  const auto isIt = [&](std::uint64_t id) { return std::ranges::equal(polygons_[id].vertices, vertices); };
+  if (!vertices.empty() && isIt(lastPolygon_)) return lastPolygon_;
+  const std::uint64_t hash = hashOf(seed_, vertices);
+  if (const std::uint64_t found = polygonIndex_.find(hash, isIt); found != 0)
+    return lastPolygon_ = static_cast<PolygonId>(found);
   if (const auto defect = findDefect(vertices))
     return refuse({.code = defect->code, .polygon = 0, .vertex = defect->vertex, .vertex2 = defect->vertex2});
   InternedPolygon polygon;
   polygon.vertices.assign(vertices.begin(), vertices.end());
   polygon.hash = hash;
   const PolygonId id = store(polygons_, freePolygons_, std::move(polygon));
-  polygonIndex_.insert(hash, id);
+  polygonIndex_.set(hash, id, is(id));
   ++unused_;
   return id;
 }
 
 Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
                                              std::span<const std::pair<Slot, Slot>> preserved) {
-  const std::uint64_t hash = hashOf(contentIndex_.seed(), polygons, preserved);
-  const std::uint32_t found = contentIndex_.find(hash, [&](ContentId id) {
+  const std::uint64_t hash = hashOf(seed_, polygons, preserved);
+  const std::uint64_t found = contentIndex_.find(hash, [&](std::uint64_t id) {
     return std::ranges::equal(contents_[id]->polygons, polygons) &&
            std::ranges::equal(contents_[id]->preserved, preserved);
   });
-  if (found != HashIndex::kNone) return found;
+  if (found != 0) return static_cast<ContentId>(found);
 
   views_.clear();
   std::size_t vertexCount = 0;
@@ -96,7 +101,7 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   const ContentId id = store<std::shared_ptr<const Content>>(contents_, freeContents_, std::move(content));
   uses_.resize(contents_.size());
   uses_[id] = {.users = 0, .facts = facts};
-  contentIndex_.insert(hash, id);
+  contentIndex_.set(hash, id, is(id));
   for (const PolygonId polygon : polygons) acquire(polygons_[polygon].users);
   if (polygons.size() == 1) polygons_[polygons[0]].sole = id;
   ++unused_;
@@ -105,9 +110,11 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
 
 Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   if (polygons.empty()) return refuse({.code = ErrorCode::emptyShape});
-  const std::vector<PolygonId> given(polygons.begin(), polygons.end());
-  if (const auto found = shapeIndex_.find(given); found != shapeIndex_.end()) return found->second;
+  const auto isIt = [&](std::uint64_t id) { return std::ranges::equal(shapes_[id].polygons, polygons); };
+  if (const std::uint64_t found = shapeIndex_.find(hashOf(seed_, polygons, {}), isIt); found != 0)
+    return ShapeId{static_cast<std::uint32_t>(found)};
 
+  const std::vector<PolygonId> given(polygons.begin(), polygons.end());
   std::vector<PolygonId> sorted = given;
   detail::sort(sorted);
   const auto content = internContent(sorted, {}, {});
@@ -115,22 +122,20 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   // The content is never forgotten from here on, and it uses the polygons: so the shape need not be their user too.
   if (uses_[*content].users == 0) --unused_;
   uses_[*content].users = kForever;
-  const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
-  shapes_.push_back({*content, facts(*content), given.size() == 1, given});
-  shapeIndex_.emplace(given, id);
-  return id;
+  putShape({*content, facts(*content), given.size() == 1, given});
+  return ShapeId{static_cast<std::uint32_t>(shapeCount())};
 }
 
 InternedShape Catalogue::takeShape() {
   assert(shapeCount() != 0);
+  shapeIndex_.erase(hashOf(seed_, shapes_.back().polygons, {}), is(shapeCount()));
   InternedShape shape = std::move(shapes_.back());
   shapes_.pop_back();
-  shapeIndex_.erase(shape.polygons);
   return shape;
 }
 
 void Catalogue::putShape(InternedShape shape) {
-  shapeIndex_.emplace(shape.polygons, ShapeId{static_cast<std::uint32_t>(shapes_.size())});
+  shapeIndex_.set(hashOf(seed_, shape.polygons, {}), shapes_.size(), is(shapes_.size()));
   shapes_.push_back(std::move(shape));
 }
 
@@ -150,16 +155,16 @@ Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
 void Catalogue::collect() {
   // Looking through the catalogue is worth it once an eighth has no users: marks keep contents, and more would wait.
   // That share hardly passes a half, since contents without users still use their polygons.
-  if (unused_ < 1024 || 8 * unused_ < contents_.size() + polygons_.size()) return;
+  if (unused_ < 1024 || 8 * unused_ < contents_.size() + polygons_.size() - 1) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
     if (uses_[id].users == 0 && contents_[id]) forgetContent(id);
-  for (PolygonId id = 0; id < polygons_.size(); ++id)
+  for (PolygonId id = 1; id < polygons_.size(); ++id)
     if (polygons_[id].users == 0 && !polygons_[id].vertices.empty()) forgetPolygon(id);
 }
 
 void Catalogue::forgetContent(ContentId id) {
   const auto content = std::exchange(contents_[id], nullptr);
-  contentIndex_.erase(content->hash, id);
+  contentIndex_.erase(content->hash, is(id));
   for (const PolygonId polygon : content->polygons) drop(polygons_[polygon].users);
   if (content->polygons.size() == 1) polygons_[content->polygons[0]].sole = kEmptyContent;
   --unused_;
@@ -167,18 +172,18 @@ void Catalogue::forgetContent(ContentId id) {
 }
 
 void Catalogue::forgetPolygon(PolygonId id) {
-  polygonIndex_.erase(polygons_[id].hash, id);
+  polygonIndex_.erase(polygons_[id].hash, is(id));
   polygons_[id] = InternedPolygon{};
   --unused_;
   freePolygons_.push_back(id);
 }
 
 std::uint64_t Catalogue::bytes() const {
-  std::uint64_t sum = polygonIndex_.bytes() + contentIndex_.bytes();
+  std::uint64_t sum = polygonIndex_.bytes() + contentIndex_.bytes() + shapeIndex_.bytes();
   for (const InternedPolygon& p : polygons_) sum += heldBytes(p.vertices);
   for (const auto& content : contents_)
     if (content) sum += sizeof *content + content->listBytes;
-  for (const InternedShape& s : shapes_) sum += 2 * heldBytes(s.polygons);
+  for (const InternedShape& s : shapes_) sum += heldBytes(s.polygons);
   return sum + builder_.bytes() + heldBytes(polygons_, contents_, views_, uses_, shapes_, freePolygons_, freeContents_);
 }
 

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,14 +21,6 @@ namespace lgs::detail {
 using ContentId = std::uint32_t;
 inline constexpr ContentId kEmptyContent = 0;
 inline constexpr ContentId kMaxContent = (1u << 23) - 1;  ///< a cell's word has 23 bits for it
-
-/// The order of shapes. The vector's own one will not do: where the most significant byte comes first, GCC 12's library
-/// compares as many bytes as there are numbers, so that different shapes are equal.
-struct PolygonsLess {
-  bool operator()(const std::vector<PolygonId>& a, const std::vector<PolygonId>& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
-};
 
 /// The content of a shape is never forgotten, so the cells that have it are not counted.
 struct InternedShape {
@@ -125,14 +116,13 @@ class Catalogue {
   void forgetContent(ContentId id);
   void forgetPolygon(PolygonId id);
 
-  std::vector<InternedPolygon> polygons_;
-  std::vector<std::shared_ptr<const Content>> contents_;  ///< null if it is forgotten
-  std::vector<Use> uses_;                                 ///< by content
-  std::vector<InternedShape> shapes_{InternedShape{}};    ///< by ShapeId, whose 0 names none
-  std::map<std::vector<PolygonId>, ShapeId, PolygonsLess> shapeIndex_;
-  HashIndex polygonIndex_;
+  std::vector<InternedPolygon> polygons_{InternedPolygon{}};  ///< by PolygonId, whose 0 names none
+  std::vector<std::shared_ptr<const Content>> contents_;      ///< null if it is forgotten
+  std::vector<Use> uses_;                                     ///< by content
+  std::vector<InternedShape> shapes_{InternedShape{}};        ///< by ShapeId, whose 0 names none
+  std::uint64_t seed_ = anySeed(this);                        ///< what hashes begin with
+  HashIndex polygonIndex_, contentIndex_, shapeIndex_;
   PolygonId lastPolygon_ = 0;  ///< found last: neighbours are often alike
-  HashIndex contentIndex_;
   std::vector<PolygonId> freePolygons_;
   std::vector<ContentId> freeContents_;
   std::uint32_t widestFan_ = 0;

@@ -10,6 +10,7 @@
 
 #include <lgs/world.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -35,6 +36,7 @@ inline constexpr unsigned kLowBits = 8;         ///< below the content, in a wor
 inline constexpr std::uint32_t kLowMask = (1u << kLowBits) - 1;
 static_assert(kMaxPolygonsPerCell <= kLowMask && kMaxContent < kListBit >> kLowBits);
 
+constexpr bool isListed(CellWord word) { return (word & kListBit) != 0; }
 constexpr CellWord wordOf(ContentId content, std::uint32_t low) { return content << kLowBits | low; }
 /// Whether a word has a polygon, whose block its chunk keeps.
 constexpr bool hasSole(CellWord word) { return word > kLowMask && word < kListBit; }
@@ -43,32 +45,27 @@ constexpr bool fitsWord(std::uint32_t lastSerial, std::span<const Placed> polygo
   return lastSerial <= kLowMask && (polygons.empty() || (polygons.size() == 1 && polygons[0].serial == lastSerial));
 }
 
-/// The words of a list.
-class PolygonList {
+/// What a word stands for. Valid until the cell changes.
+class Held {
  public:
-  explicit PolygonList(const std::uint32_t* words) : words_(words) {}
-  static constexpr std::uint32_t sizeOf(std::size_t polygons) { return static_cast<std::uint32_t>(2 + 2 * polygons); }
+  Held() = default;
+  /// The block is that of the only polygon, if the word has one; `list` is null, unless the word refers to it.
+  Held(CellWord word, Block block, const std::uint32_t* list) : word_(word), block_(block), list_(list) {}
 
-  ContentId content() const { return words_[0] >> kLowBits; }
-  std::uint32_t size() const { return words_[0] & kLowMask; }
-  std::uint32_t lastSerial() const { return words_[1]; }
-  Placed operator[](Slot slot) const { return {words_[2 + 2 * slot], words_[3 + 2 * slot]}; }
+  ContentId content() const { return (list_ ? list_[0] : word_) >> kLowBits; }
+  std::uint32_t lastSerial() const { return list_ ? list_[1] : word_ & kLowMask; }
+  /// How many polygons there are.
+  std::uint32_t size() const { return list_ ? list_[0] & kLowMask : word_ > kLowMask; }
+  Placed operator[](std::size_t slot) const {
+    return list_ ? Placed{list_[2 + 2 * slot], list_[3 + 2 * slot]} : Placed{word_ & kLowMask, block_};
+  }
+  /// The list, if there is one.
+  std::span<const std::uint32_t> list() const { return {list_, 2 + 2 * size()}; }
 
  private:
-  const std::uint32_t* words_;
-};
-
-/// The polygons of a cell by slot. Valid until the cell changes.
-class PlacedBySlot {
- public:
-  explicit PlacedBySlot(PolygonList list) : list_(list), isList_(true) {}
-  explicit PlacedBySlot(Placed sole) : sole_(sole) {}
-  Placed operator[](Slot slot) const { return isList_ ? list_[slot] : sole_; }
-
- private:
-  PolygonList list_{nullptr};
-  Placed sole_;
-  bool isList_ = false;
+  CellWord word_ = 0;
+  Block block_ = 0;
+  const std::uint32_t* list_ = nullptr;
 };
 
 }  // namespace lgs::detail

@@ -1,7 +1,7 @@
 #include "ground/cell_changes.h"
 
 #include "geometry/sort.h"
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 #include <algorithm>
 
@@ -30,12 +30,18 @@ void CellChanges::leaves(const Ground& ground, Journal::Moment commit, std::uint
   for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
     polygons.clear();
     const auto edited = pending.find(at.ref());
-    ground.read(edited == pending.end() ? ground.held(at) : ground.held(*edited->second), polygons);
-    if (polygons.empty()) continue;
-    LeftCell& cell = left_.emplace_back(LeftCell{at.ref(), {}});
+    ground.read(at.ref(), edited == pending.end() ? ground.held(at) : ground.held(*edited->second), polygons);
     for (const PlacedPolygon& p : polygons)
-      cell.polygons.push_back({p.handle, p.block, {p.vertices.begin(), p.vertices.end()}});
+      left_.push_back({p.handle, p.block, {p.vertices.begin(), p.vertices.end()}});
   }
+}
+
+/// What a cell held that left, from one of its polygons on. Returns where those of the next cell begin.
+std::size_t CellChanges::readLeft(std::size_t first, std::vector<PlacedPolygon>& out) const {
+  std::size_t k = first;
+  for (; k < left_.size() && left_[k].ref() == left_[first].ref(); ++k)
+    out.push_back({left_[k].handle, left_[k].block, left_[k].vertices});
+  return k;
 }
 
 void CellChanges::forgetStreamed() {
@@ -51,17 +57,15 @@ bool CellChanges::wasLoaded(const Ground& ground, std::uint32_t chunk) const {
 /// Cells of which there is no note since the commit: they are the same, and maybe loaded no more, or again; or they were
 /// given up since.
 void CellChanges::readStreamed(const Ground& ground, Journal::Moment commit) {
-  std::vector<PlacedPolygon> polygons, now;
+  std::vector<PlacedPolygon> polygons;
   const auto isNoted = [&](std::uint32_t ref) { return ground.journal.isNotedSince(commit, Thing::cell, ref); };
-  for (const LeftCell& cell : left_) {
-    if (isNoted(cell.ref)) continue;
-    now.clear();
-    if (ground.grid.stateOf(cell.ref / kChunkCells) == ChunkState::loaded)
-      ground.read(ground.held(ground.grid.find(cell.ref)), now);
-    if (!now.empty()) continue;
+  for (std::size_t k = 0; k < left_.size();) {
+    const std::uint32_t ref = left_[k].ref();
     polygons.clear();
-    for (const LeftPolygon& p : cell.polygons) polygons.push_back({p.handle, p.block, p.vertices});
-    add(ground.grid.cellOfAny(cell.ref), polygons, {});
+    k = readLeft(k, polygons);
+    const bool isLoaded = ground.grid.stateOf(ref / kChunkCells) == ChunkState::loaded;
+    if (isNoted(ref) || (isLoaded && ground.held(ground.grid.find(ref)).size() != 0)) continue;
+    add(ground.grid.cellOfAny(ref), polygons, {});
   }
   std::vector<std::uint32_t> streamed;
   for (const auto& [chunk, was] : wasLoaded_)
@@ -71,7 +75,7 @@ void CellChanges::readStreamed(const Ground& ground, Journal::Moment commit) {
     if (ground.grid.stateOf(chunk) != ChunkState::loaded) continue;
     for (CellAt at{&ground.grid.chunk(chunk), 0}; at.local < kChunkCells; ++at.local) {
       polygons.clear();
-      ground.read(ground.held(at), polygons);
+      ground.read(at.ref(), ground.held(at), polygons);
       if (!polygons.empty() && !isNoted(at.ref())) add(at.cell(), {}, polygons);
     }
   }
@@ -98,27 +102,27 @@ void CellChanges::nameEach(const Ground& ground, std::span<const std::uint32_t> 
 void CellChanges::read(Ground& ground, Journal::Moment commit, Way way) {
   std::vector<PlacedPolygon> then, now;
   clear();
-  detail::sort(left_, [](const LeftCell& a, const LeftCell& b) { return a.ref < b.ref; });
+  detail::sort(left_, [](const LeftPolygon& a, const LeftPolygon& b) { return a.handle < b.handle; });
   for (const Note& note : ground.journal.since(commit)) {
     if (note.thing != Thing::cell || note.before >= commit) continue;
     const std::uint32_t chunk = note.key / kChunkCells;
     const bool was = wasLoaded(ground, chunk), is = !ground.grid.border(chunk);
     if (!was && !is) continue;
-    const auto left = std::ranges::lower_bound(left_, note.key, {}, &LeftCell::ref);
-    const bool hasLeft = left != left_.end() && left->ref == note.key;
+    const auto left = std::ranges::lower_bound(left_, note.key, {}, &LeftPolygon::ref);
+    const bool hasLeft = left != left_.end() && left->ref() == note.key;
     then.clear();
     now.clear();
-    ground.read(ground.held(note), then);
+    ground.read(note.key, ground.held(note), then);
     const bool isGivenUp = hasLeft && then.empty();
     if (way == Way::stay && was == is && !isGivenUp) continue;
     if (way == Way::stay)
       now = then;
     else if (way == Way::back ? was : is)
-      ground.read(ground.heldNow(note.key), now);
+      ground.read(note.key, ground.heldNow(note.key), now);
     if (way == Way::back) std::swap(then, now);
     if (hasLeft) {
       then.clear();
-      for (const LeftPolygon& p : left->polygons) then.push_back({p.handle, p.block, p.vertices});
+      readLeft(static_cast<std::size_t>(left - left_.begin()), then);
     }
     if (!was) then.clear();
     if (!is) now.clear();
@@ -151,10 +155,7 @@ void CellChanges::own() {
 
 std::uint64_t CellChanges::bytes() const {
   std::uint64_t sum = heldBytes(changes_, polygons_, vertices_, left_);
-  for (const LeftCell& cell : left_) {
-    sum += heldBytes(cell.polygons);
-    for (const LeftPolygon& polygon : cell.polygons) sum += heldBytes(polygon.vertices);
-  }
+  for (const LeftPolygon& polygon : left_) sum += heldBytes(polygon.vertices);
   return sum;
 }
 

@@ -50,14 +50,12 @@ class CellChanges {
     PolygonHandle handle;
     Block block = 0;
     std::vector<LocalPoint> vertices;
-  };
-  struct LeftCell {
-    std::uint32_t ref = 0;
-    std::vector<LeftPolygon> polygons;
+    std::uint32_t ref() const { return handle.cellRef; }
   };
 
   bool wasLoaded(const Ground& ground, std::uint32_t chunk) const;
   void readStreamed(const Ground& ground, Journal::Moment commit);
+  std::size_t readLeft(std::size_t first, std::vector<PlacedPolygon>& out) const;
   void nameEach(const Ground& ground, std::span<const std::uint32_t> streamed);
   /// After the last one own() must be called. Until then the vertices must stay where they are.
   void add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now);
@@ -68,7 +66,7 @@ class CellChanges {
   std::vector<PlacedPolygon> polygons_;  ///< of each change those before and those of now, one behind the other
   std::vector<LocalPoint> vertices_;     ///< of each polygon, one behind the other
   std::unordered_map<std::uint32_t, bool> wasLoaded_;  ///< when it was told last; of chunks that were streamed since
-  std::vector<LeftCell> left_;                         ///< of those that left
+  std::vector<LeftPolygon> left_;                      ///< of those that left, each cell's by handle
 };
 
 }  // namespace lgs::detail

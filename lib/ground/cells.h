@@ -8,13 +8,13 @@
 #include "storage/journal.h"
 #include "storage/record_arena.h"
 
+#include <lgs/error.h>
 #include <lgs/world.h>
 
-#include <bit>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,60 +32,37 @@ class Cells {
   Catalogue catalogue;
   Grid grid;
 
-  // --- Reading. A cell may be without chunk: then it holds nothing.
+  // --- Reading
 
-  ContentId contentId(CellAt at) const {
-    if (!at) return kEmptyContent;
-    return isListed(at) ? list(at.word()).content() : at.word() >> kLowBits;
+  /// What a cell holds: nothing, if it is without chunk.
+  Held held(CellAt at) const { return at ? held(at.word(), at.chunk->block(at.local)) : Held(); }
+  Held held(CellWord word, Block block = 0) const {
+    return {word, block, isListed(word) ? lists_.at(word & ~kListBit) : nullptr};
   }
-  /// Of a word that is no note's.
-  ContentId contentOf(CellWord word) const { return isListed(word) ? list(word).content() : word >> kLowBits; }
+  ContentId contentId(CellAt at) const { return held(at).content(); }
   const Content& content(CellAt at) const { return catalogue.content(contentId(at)); }
-  /// Of a cell that holds polygons.
-  PlacedBySlot placed(CellAt at) const {
-    assert(at && !holdsNothing(at.word()));
-    if (isListed(at)) return PlacedBySlot(list(at.word()));
-    return PlacedBySlot(Placed{at.word() & kLowMask, at.chunk->block(at.local)});
-  }
-  /// The serial given out last in the cell.
-  std::uint32_t lastSerial(CellAt at) const {
-    if (!at) return 0;
-    return isListed(at) ? list(at.word()).lastSerial() : at.word() & kLowMask;
-  }
-  static bool isListed(CellAt at) { return isListed(at.word()); }
-  bool holdsNothing(CellWord word) const {
-    return word <= kLowMask || (isListed(word) && list(word).content() == kEmptyContent);
-  }
-  std::optional<Slot> slotOf(PolygonHandle handle) const;
-  /// The error for a handle that names no polygon here: stale, or its chunk is unloaded.
-  Error noPolygon(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
 
-  /// What a cell holds, or held when a note was made of it.
-  struct Held {
-    std::uint32_t ref = 0;  ///< of the cell
-    CellWord word = 0;
-    Block block = 0;                      ///< of the only polygon, if the word has one
-    const std::uint32_t* list = nullptr;  ///< its words, if the word refers to one
+  struct Found {
+    CellAt at;
+    Slot slot = 0;
   };
-  Held held(CellAt at) const { return held(at.ref(), at.word(), at.chunk->block(at.local)); }
-  Held held(std::uint32_t ref, CellWord word, Block block) const {
-    return {ref, word, block, isListed(word) ? lists_.at(word & ~kListBit) : nullptr};
-  }
-  static std::uint32_t lastSerial(const Held& held) {
-    return held.list != nullptr ? PolygonList(held.list).lastSerial() : held.word & kLowMask;
-  }
-  /// By handle, behind what is in `out`. Valid until the next edit.
-  void read(const Held& held, std::vector<PlacedPolygon>& out) const;
+  /// Where a polygon is. Refused: staleHandle; unloaded.
+  Expected<Found> find(PolygonHandle handle) const;
+  /// The polygons of a cell with this reference, by handle, behind what is in `out`. Valid until the next edit.
+  void read(std::uint32_t ref, const Held& held, std::vector<PlacedPolygon>& out) const;
 
   // --- What changed since the last commit
 
   /// The chunks with changed cells, in the order of their first change. Chunk::dirty says which cells these are.
   std::span<Chunk* const> changedChunks() const { return changed_; }
-  /// The changed cells as numbers: of each of these chunks its number, its rows with such cells as bits, and for each of
-  /// these rows its cells as bits.
-  using ChangedCells = std::vector<std::uint32_t>;
-  ChangedCells changedCells() const;
+  /// The changed cells of a chunk.
+  struct ChangedCells {
+    std::uint32_t chunk = 0;  ///< its number
+    RowMask rows = 0;
+    std::array<RowMask, kChunkSize> cells{};  ///< by row
+  };
+  std::vector<ChangedCells> changedCells() const;
 
   std::uint64_t bytes() const;
 
@@ -111,13 +88,11 @@ class Cells {
   /// changed cells is the last of changedChunks().
   void setClean(CellAt at);
   /// No cell has changed; from now on these have.
-  void setChangedCells(const ChangedCells& cells);
+  void setChangedCells(const std::vector<ChangedCells>& changed);
   /// From now on no cell has changed.
   void clearChanges() {
     for (Chunk* chunk : changed_) {
-      for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
-        chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
-      chunk->dirtyRows = 0;
+      forEachBit(std::exchange(chunk->dirtyRows, 0), [&](std::uint32_t row) { chunk->dirty[row] = 0; });
     }
     changed_.clear();
   }
@@ -125,15 +100,11 @@ class Cells {
   // --- The words of cells, and what they stand for: a content in use, and a list
 
   CellWord makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
-  /// A word that stands for the same, and has its own list.
-  CellWord copyOf(CellWord word);
   /// Lets go of what a word stands for.
   void drop(CellWord word) {
     if (word <= kLowMask) return;  // it had no polygons
-    if (isListed(word))
-      dropList(word);
-    else
-      catalogue.release(word >> kLowBits);
+    catalogue.release(held(word).content());
+    if (isListed(word)) releaseList(word);
   }
   /// A cell gets a word instead of the one that it has. The block is that of a word with a polygon.
   void write(CellAt at, CellWord word, Block block, Facts facts) {
@@ -143,20 +114,19 @@ class Cells {
   }
   /// The same, but the old word is not dropped, and the cell does not count as changed.
   void lay(CellAt at, CellWord word, Block block);
-  /// Of a cell without polygons.
-  CellWord emptyWord(std::uint32_t lastSerial);
-  static bool isListed(CellWord word) { return (word & kListBit) != 0; }
+  /// A cell comes to hold nothing, in the same way.
+  void empty(CellAt at) {
+    drop(at.word());
+    lay(at, 0, 0);
+  }
   /// What a note of a cell says instead of its word: a list is among the words that the journal keeps. The content
   /// stays in use. The cell must get another word.
   CellWord moveOut(CellWord word, Journal& journal);
   /// The word for what was moved out.
   CellWord moveIn(CellWord moved, Journal& journal);
-  /// Lets go of what was moved out.
-  void dropMoved(CellWord moved, Journal& journal);
 
  private:
-  PolygonList list(CellWord word) const { return PolygonList(lists_.at(word & ~kListBit)); }
-  void dropList(CellWord word);
+  void releaseList(CellWord word);
 
   RecordArena lists_;
   std::vector<Chunk*> changed_;

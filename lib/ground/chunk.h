@@ -2,14 +2,15 @@
 #pragma once
 
 #include "ground/cell.h"
-#include "storage/owned.h"
 
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstdint>
+#include <vector>
 
 namespace lgs::detail {
 
@@ -35,6 +36,12 @@ constexpr bool isInner(std::uint32_t local) {
 
 using RowMask = std::uint32_t;  ///< a bit for each cell in a row of a chunk
 
+/// Calls visit(k) for each bit k that is set.
+template <class Bits, class Visit>
+void forEachBit(Bits bits, Visit&& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
+
 struct Chunk {
   std::int32_t ci = 0;  ///< coordinates in chunks: those of any of its cells >> 5
   std::int32_t cj = 0;
@@ -44,8 +51,8 @@ struct Chunk {
   bool isUnloaded = false;                  ///< its cells have what the chunks beside it need: see border.h
   std::array<Chunk*, 9> around{};           ///< row by row from the lower left; null where there is none
   std::array<RowMask, kChunkSize> dirty{};  ///< cells whose segments may be out of date
-  std::uint64_t commonBlock = kNoBlock;     ///< of all cells that list no polygons, while `blocks` is null
-  Owned<std::array<Block, kChunkCells>> blocks;
+  std::uint64_t commonBlock = kNoBlock;     ///< of all cells that list no polygons, while `blocks` is empty
+  std::vector<Block> blocks;
   std::array<Facts, kChunkCells> facts{};          ///< of each cell's content
   std::array<std::uint32_t, kChunkCells> cells{};  ///< the word of each cell: see cell.h
 
@@ -57,8 +64,8 @@ struct Chunk {
   }
   Chunk* self() const { return around[4]; }
   /// Of a cell that has a word and no list.
-  Block block(std::uint32_t local) const { return blocks ? (*blocks)[local] : static_cast<Block>(commonBlock); }
-  bool hasRoomFor(Block block) const { return blocks || commonBlock == block; }
+  Block block(std::uint32_t local) const { return blocks.empty() ? static_cast<Block>(commonBlock) : blocks[local]; }
+  bool hasRoomFor(Block block) const { return !blocks.empty() || commonBlock == block; }
   void setBlock(std::uint32_t local, Block block) {
     if (!hasRoomFor(block)) makeRoomForBlock(block);
     setBlockThere(local, block);
@@ -66,7 +73,7 @@ struct Chunk {
   /// There is room for it.
   void setBlockThere(std::uint32_t local, Block block) {
     assert(hasRoomFor(block));
-    if (blocks) (*blocks)[local] = block;
+    if (!blocks.empty()) blocks[local] = block;
   }
   Cell cell(std::uint32_t local) const { return cellIn(ci, cj, local); }
   std::uint32_t ref(std::uint32_t local) const { return index * kChunkCells + local; }
@@ -132,6 +139,12 @@ struct ChunkRect {
   bool contains(const Chunk& c) const { return contains(c.ci, c.cj); }
   std::uint64_t count() const {
     return (static_cast<std::uint64_t>(i1 - i0) + 1) * (static_cast<std::uint64_t>(j1 - j0) + 1);
+  }
+  /// Calls visit(ci, cj) for each, by rows.
+  template <class Visit>
+  void forEach(Visit&& visit) const {
+    for (std::int32_t cj = j0; cj <= j1; ++cj)
+      for (std::int32_t ci = i0; ci <= i1; ++ci) visit(ci, cj);
   }
 };
 

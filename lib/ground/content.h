@@ -3,11 +3,11 @@
 // (phase 2).
 #pragma once
 
+#include "geometry/edge.h"
 #include "geometry/predicates.h"
 #include "geometry/radial_match.h"
-#include "ground/edge.h"
 #include "ground/polygon.h"
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 #include <lgs/lattice.h>
 

@@ -14,12 +14,12 @@ namespace lgs::detail {
 void Edit::open(Cell cell) {
   cell_ = cell;
   at_ = ground_.grid.seek(cell);
-  lastSerial_ = ground_.lastSerial(at_);
+  const Held held = ground_.held(at_);
+  lastSerial_ = held.lastSerial();
   newOnes_ = 0;
   entries_.clear();
   const std::span<const PolygonId> polygons = ground_.content(at_).polygons;
-  for (std::size_t slot = 0; slot < polygons.size(); ++slot)
-    entries_.push_back({polygons[slot], ground_.placed(at_)[static_cast<Slot>(slot)]});
+  for (std::size_t slot = 0; slot < polygons.size(); ++slot) entries_.push_back({polygons[slot], held[slot]});
 }
 
 /// One polygon more, with the next serial.
@@ -27,6 +27,11 @@ void Edit::place(PolygonId polygon, Block block) {
   ++newOnes_;
   const auto after = std::ranges::upper_bound(entries_, polygon, {}, &Entry::polygon);
   entries_.insert(after, {polygon, {lastSerial_ + newOnes_, block}, true});
+}
+
+/// All of a shape.
+void Edit::place(ShapeId shape, Block block) {
+  for (const PolygonId polygon : ground_.catalogue.shape(shape).polygons) place(polygon, block);
 }
 
 /// Whether the cell can hold `entries_`. Overlaps between them are kept where the preserve relation says so.
@@ -125,7 +130,7 @@ Expected<PolygonHandle> Edit::add(Cell cell, ShapeId shape, Block block, std::sp
     return handle;
   }
   open(cell);
-  for (const PolygonId polygon : interned.polygons) place(polygon, block);
+  place(shape, block);
   return close(handles);
 }
 
@@ -147,24 +152,24 @@ Expected<PolygonHandle> Edit::add(Cell cell, PolygonView polygon, Block block) {
 }
 
 Expected<void> Edit::remove(PolygonHandle polygon) {
-  const auto slot = ground_.slotOf(polygon);
-  if (!slot) return refuse(ground_.noPolygon(polygon));
-  const CellAt at = ground_.grid.find(polygon.cellRef);
-  if (ground_.content(at).polygons.size() == 1) {  // what is left needs no content
-    ground_.set(at, kEmptyContent, ground_.lastSerial(at), {});
+  const auto found = ground_.find(polygon);
+  if (!found) return refuse(found.error());
+  const CellAt at = found->at;
+  const Held held = ground_.held(at);
+  if (held.size() == 1) {  // what is left needs no content
+    ground_.set(at, kEmptyContent, held.lastSerial(), {});
     return {};
   }
   open(at.cell());
-  entries_.erase(entries_.begin() + *slot);
+  entries_.erase(entries_.begin() + found->slot);
   return close().map([](PolygonHandle) {});
 }
 
 Expected<PolygonHandle> Edit::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
   if (const auto done = check(cell, shape); !done) return refuse(done.error());
-  const InternedShape& interned = ground_.catalogue.shape(shape);
   open(cell);
   entries_.clear();
-  for (const PolygonId polygon : interned.polygons) place(polygon, block);
+  place(shape, block);
   return close(handles);
 }
 
@@ -193,11 +198,11 @@ Expected<void> Edit::exchange(Cell cell, std::span<const PolygonHandle> removed,
 }
 
 Expected<void> Edit::setBlock(PolygonHandle polygon, Block block) {
-  const auto slot = ground_.slotOf(polygon);
-  if (!slot) return refuse(ground_.noPolygon(polygon));
-  open(ground_.grid.cellOf(polygon.cellRef));
-  if (entries_[*slot].placed.block == block) return {};
-  entries_[*slot].placed.block = block;  // another overlap may be preserved now
+  const auto found = ground_.find(polygon);
+  if (!found) return refuse(found.error());
+  open(found->at.cell());
+  if (entries_[found->slot].placed.block == block) return {};
+  entries_[found->slot].placed.block = block;  // another overlap may be preserved now
   return close().map([](PolygonHandle) {});
 }
 
@@ -210,11 +215,8 @@ Expected<void> Edit::checkFill(const CellRect& cells, ShapeId shape, Block block
   ground_.grid.forEachChunk(cells, [&](const Chunk&) { --missing; });
   if (missing > kMaxChunks - ground_.grid.count()) return refuse({.code = ErrorCode::capacity, .cell = cells.min});
 
-  const auto placeAll = [&] {
-    for (const PolygonId polygon : ground_.catalogue.shape(shape).polygons) place(polygon, block);
-  };
   entries_.clear();
-  placeAll();
+  place(shape, block);
   if (const auto content = this->content(); !content) return refuse(content.error(), cells.min);
   std::optional<Error> refusal;
   if (const auto cell = ground_.firstUnloaded(cells)) refusal = {.code = ErrorCode::unloaded, .cell = *cell};
@@ -222,7 +224,7 @@ Expected<void> Edit::checkFill(const CellRect& cells, ShapeId shape, Block block
     if (at.word() < kLowMask || (refusal && std::pair(refusal->cell.j, refusal->cell.i) < std::pair(cell.j, cell.i)))
       return;
     open(cell);
-    placeAll();
+    place(shape, block);
     if (const auto done = check(); !done) refusal = done.error();
   });
   if (refusal) return refuse(*refusal);
@@ -234,9 +236,9 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   if (const auto done = checkFill(cells, shape, block); !done) return refuse(done.error());
   const InternedShape& interned = ground_.catalogue.shape(shape);
-  const ChunkRect reach(cells);
-  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.obtain({ci * kChunkSize, cj * kChunkSize});
+  ChunkRect(cells).forEach([this](std::int32_t ci, std::int32_t cj) {
+    ground_.obtain({ci * kChunkSize, cj * kChunkSize});
+  });
   const std::int64_t width = std::int64_t{cells.max.i} - cells.min.i + 1;
   const std::int64_t height = std::int64_t{cells.max.j} - cells.min.j + 1;
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
@@ -257,9 +259,9 @@ Expected<std::uint64_t> Edit::clear(const CellRect& cells) {
   if (const auto cell = ground_.firstUnloaded(cells)) return refuse({.code = ErrorCode::unloaded, .cell = *cell});
   std::uint64_t count = 0;
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell) {
-    const std::size_t polygons = ground_.content(at).polygons.size();
-    if (polygons != 0) ground_.set(at, kEmptyContent, ground_.lastSerial(at), {});
-    count += polygons;
+    const Held held = ground_.held(at);
+    count += held.size();
+    if (held.size() != 0) ground_.set(at, kEmptyContent, held.lastSerial(), {});
   });
   return count;
 }

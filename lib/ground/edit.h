@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ground/ground.h"
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 #include <lgs/world.h>
 
@@ -45,8 +45,6 @@ class Edit {
   std::uint64_t bytes() const { return heldBytes(entries_, placed_, ids_, known_, kept_); }
 
  private:
-  class Group;
-
   /// A polygon of the cell that is edited.
   struct Entry {
     PolygonId polygon = 0;
@@ -56,6 +54,8 @@ class Edit {
 
   /// Whether a cell gets the shape's own content by it, and a word is enough for that.
   static bool takesSole(CellAt at, const InternedShape& shape) { return shape.isSole && at.word() < kLowMask; }
+  template <class One>
+  Expected<void> allOrNone(std::size_t count, One&& edit);
   bool addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles);
   Expected<void> check(Cell cell, ShapeId shape) const;
   Expected<void> checkFill(const CellRect& cells, ShapeId shape, Block block);
@@ -63,6 +63,7 @@ class Edit {
   // An edit of one cell: its polygons become `entries_`, which are changed, and set.
   void open(Cell cell);
   void place(PolygonId polygon, Block block);
+  void place(ShapeId shape, Block block);
   Expected<void> check();
   Expected<ContentId> content();
   Expected<PolygonHandle> close(std::span<PolygonHandle> handles = {});

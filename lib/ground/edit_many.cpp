@@ -6,23 +6,17 @@
 
 namespace lgs::detail {
 
-/// Brings the ground back to where it was when the group began, unless the group is kept.
-class Edit::Group {
- public:
-  explicit Group(Ground& ground) : ground_(ground), begin_(ground.journal.begin()) {}
-  Group(const Group&) = delete;
-  Group& operator=(const Group&) = delete;
-  ~Group() {
-    if (!isKept_) ground_.takeBack(begin_);
-    ground_.letGo(begin_);
-  }
-  void keep() { isKept_ = true; }
-
- private:
-  Ground& ground_;
-  Journal::Moment begin_;
-  bool isKept_ = false;
-};
+/// Calls edit(k) for each k, and brings the ground back to where it was if one is refused.
+template <class One>
+Expected<void> Edit::allOrNone(std::size_t count, One&& edit) {
+  if (count > kMaxEntries) return refuse({.code = ErrorCode::capacity});
+  const Journal::Moment begin = ground_.journal.begin();
+  Expected<void> done;
+  for (std::size_t k = 0; k < count && done; ++k) done = edit(k);
+  if (!done) ground_.takeBack(begin);
+  ground_.letGo(begin);
+  return done;
+}
 
 namespace {
 
@@ -30,7 +24,7 @@ namespace {
 /// entries that placed something in it.
 std::int32_t entryThatPlaced(const Ground& ground, std::span<const Placement> placed, PolygonHandle polygon) {
   const Cell cell = ground.grid.cellOf(polygon.cellRef);
-  std::size_t before = ground.lastSerial(ground.grid.find(cell));
+  std::size_t before = ground.held(ground.grid.find(cell)).lastSerial();
   for (std::size_t k = placed.size(); k-- != 0;) {
     if (placed[k].cell != cell) continue;
     before -= ground.catalogue.shape(placed[k].shape).polygons.size();
@@ -86,10 +80,8 @@ bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHand
 }
 
 Expected<void> Edit::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
-  if (placements.size() > kMaxEntries) return refuse({.code = ErrorCode::capacity});
-  if (addSoles(placements, handles)) return {};
-  Group group(ground_);
-  for (std::size_t k = 0; k < placements.size(); ++k) {
+  if (placements.size() <= kMaxEntries && addSoles(placements, handles)) return {};
+  return allOrNone(placements.size(), [&](std::size_t k) -> Expected<void> {
     const auto& [cell, shape, block] = placements[k];
     const auto handle = add(cell, shape, block, {});
     if (!handle) {
@@ -97,23 +89,18 @@ Expected<void> Edit::addMany(std::span<const Placement> placements, std::span<Po
       return refuseAt(nameEntry(ground_, placements.first(k), handle.error()), &Error::index, k);
     }
     if (k < handles.size()) handles[k] = *handle;
-  }
-  group.keep();
-  return {};
+    return {};
+  });
 }
 
 Expected<void> Edit::removeMany(std::span<const PolygonHandle> polygons) {
-  if (polygons.size() > kMaxEntries) return refuse({.code = ErrorCode::capacity});
-  Group group(ground_);
-  for (std::size_t k = 0; k < polygons.size(); ++k) {
+  return allOrNone(polygons.size(), [&](std::size_t k) -> Expected<void> {
     auto done = remove(polygons[k]);
-    if (done) continue;
+    if (done) return done;
     const auto twin = std::ranges::find(polygons.first(k), polygons[k]);
     if (twin != polygons.first(k).end()) done.error().index2 = static_cast<std::int32_t>(twin - polygons.begin());
     return refuseAt(done.error(), &Error::index, k);
-  }
-  group.keep();
-  return {};
+  });
 }
 
 }  // namespace lgs::detail

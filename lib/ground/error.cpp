@@ -1,5 +1,7 @@
 #include <lgs/error.h>
 
+#include <array>
+#include <cstddef>
 #include <string>
 
 namespace lgs {
@@ -87,47 +89,14 @@ std::string what(const Error& e) {
 }  // namespace
 
 const char* name(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::cellOutOfRange:
-      return "cell out of range";
-    case ErrorCode::emptyShape:
-      return "empty shape";
-    case ErrorCode::tooFewVertices:
-      return "too few vertices";
-    case ErrorCode::capacity:
-      return "capacity";
-    case ErrorCode::notFinite:
-      return "not finite";
-    case ErrorCode::outsideCell:
-      return "outside the cell";
-    case ErrorCode::repeatedVertex:
-      return "repeated vertex";
-    case ErrorCode::zeroArea:
-      return "zero area";
-    case ErrorCode::clockwise:
-      return "clockwise";
-    case ErrorCode::selfIntersecting:
-      return "self-intersecting";
-    case ErrorCode::overlap:
-      return "overlap";
-    case ErrorCode::unknownShape:
-      return "unknown shape";
-    case ErrorCode::staleHandle:
-      return "stale handle";
-    case ErrorCode::unknownSegment:
-      return "unknown segment";
-    case ErrorCode::unknownMark:
-      return "unknown mark";
-    case ErrorCode::uncommitted:
-      return "uncommitted";
-    case ErrorCode::outOfReach:
-      return "out of reach";
-    case ErrorCode::unloaded:
-      return "unloaded";
-    case ErrorCode::anchored:
-      return "anchored";
-  }
-  return "unknown error";
+  static constexpr std::array kNames{"unknown error", "cell out of range", "empty shape",      "too few vertices",
+                                     "capacity",      "not finite",        "outside the cell", "repeated vertex",
+                                     "zero area",     "self-intersecting", "clockwise",        "overlap",
+                                     "unknown shape", "stale handle",      "unknown segment",  "unknown mark",
+                                     "uncommitted",   "out of reach",      "unloaded",         "anchored"};
+  static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::anchored) + 1);
+  const auto number = static_cast<std::size_t>(code);
+  return kNames[number < kNames.size() ? number : 0];
 }
 
 std::string message(const Error& error) { return where(error) + what(error); }

@@ -19,10 +19,10 @@ std::uint64_t hashOf(std::uint64_t seed, std::int32_t ci, std::int32_t cj) {
 Grid::Grid(const Grid& other)
     : chunks_(other.chunks_),
       borders_(other.borders_),
+      unloadedPlaces_(other.unloadedPlaces_),
       free_(other.free_),
       count_(other.count_),
-      unloaded_(other.unloaded_),
-      unloadedRows_(other.unloadedRows_),
+      seed_(other.seed_),
       index_(other.index_) {
   forEachChunk([this](Chunk& chunk) {
     for (Chunk*& beside : chunk.around)
@@ -39,17 +39,13 @@ void Chunk::makeRoomForBlock(Block block) {
     commonBlock = block;
     return;
   }
-  blocks = Owned(std::make_unique_for_overwrite<std::array<Block, kChunkCells>>());
-  blocks->fill(static_cast<Block>(commonBlock));
+  blocks.assign(kChunkCells, static_cast<Block>(commonBlock));
   commonBlock = kNoBlock;
 }
 
 std::uint32_t Grid::numberAt(std::int32_t ci, std::int32_t cj) const {
   // The chunk itself is not read: in a large world it is in no cache, and what an edit needs of it is fetched at once.
-  return index_.find(hashOf(index_.seed(), ci, cj), [&]([[maybe_unused]] std::uint32_t k) {
-    assert(placeOf(k) == std::pair(ci, cj));
-    return true;
-  });
+  return static_cast<std::uint32_t>(index_.find(hashOf(seed_, ci, cj)));
 }
 
 std::optional<std::pair<std::int32_t, std::int32_t>> Grid::placeOf(std::uint32_t number) const {
@@ -61,7 +57,7 @@ std::optional<std::pair<std::int32_t, std::int32_t>> Grid::placeOf(std::uint32_t
 
 Chunk* Grid::findChunk(Cell cell) const {
   const std::uint32_t found = numberAt(cell.i >> 5, cell.j >> 5);
-  return found == kNoNumber ? nullptr : chunks_.get(found);
+  return found == kNone ? nullptr : chunks_.get(found);
 }
 
 Chunk* Grid::obtainChunk(Cell cell) {
@@ -69,10 +65,9 @@ Chunk* Grid::obtainChunk(Cell cell) {
   assert(!isFull() && !isUnloaded(cell));
   const std::uint32_t number = freeNumber();
   if (number == chunks_.size()) chunks_.addMissing();
-  Chunk& chunk = make(number, cell.i >> 5, cell.j >> 5);
-  index_.insert(hashOf(index_.seed(), chunk.ci, chunk.cj), number);
+  index_.set(hashOf(seed_, cell.i >> 5, cell.j >> 5), number);
   ++count_;
-  return remember(&chunk);
+  return remember(&make(number, cell.i >> 5, cell.j >> 5));
 }
 
 Chunk& Grid::make(std::uint32_t number, std::int32_t ci, std::int32_t cj) {
@@ -80,7 +75,11 @@ Chunk& Grid::make(std::uint32_t number, std::int32_t ci, std::int32_t cj) {
   chunk.ci = ci;
   chunk.cj = cj;
   chunk.index = number;
-  link(chunk);
+  forEachAround(ci, cj, [&](std::uint32_t beside, std::size_t k) {
+    if (!chunks_.has(beside)) return;
+    chunk.around[k] = &chunks_[beside];
+    chunks_[beside].around[8 - k] = &chunk;
+  });
   return chunk;
 }
 
@@ -94,105 +93,79 @@ std::uint32_t Grid::freeNumber() {
   return number;
 }
 
-void Grid::link(Chunk& chunk) {
-  chunk.around[4] = &chunk;
-  for (std::int32_t dj = -1; dj <= 1; ++dj) {
-    for (std::int32_t di = -1; di <= 1; ++di) {
-      const std::uint32_t found = numberAt(chunk.ci + di, chunk.cj + dj);
-      if (found == kNoNumber || !chunks_.has(found)) continue;
-      const auto there = 3 * static_cast<std::size_t>(dj + 1) + static_cast<std::size_t>(di + 1);
-      chunk.around[there] = &chunks_[found];
-      chunks_[found].around[8 - there] = &chunk;
-    }
-  }
-}
-
-void Grid::unlink(const Chunk& chunk) {
-  for (std::size_t k = 0; k < chunk.around.size(); ++k)
-    if (Chunk* beside = chunk.around[k]; beside && beside != &chunk) beside->around[8 - k] = nullptr;
-  if (last_ == &chunk) last_ = nullptr;
-}
-
 void Grid::forget(std::uint32_t number) {
   assert(placeOf(number));
   const auto [ci, cj] = *placeOf(number);
-  index_.erase(hashOf(index_.seed(), ci, cj), number);
+  index_.erase(hashOf(seed_, ci, cj));
   sleep(number);
-  if (border(number)) {
-    borders_[number] = {};
-    --unloaded_;
-    unloadedRows_.erase(ci, cj);
-  }
+  if (border(number)) takeBorder(number);
   --count_;
   free_.push_back(number);
   std::push_heap(free_.begin(), free_.end(), std::greater());
   auto last = static_cast<std::uint32_t>(highest());
   while (count_ < last && stateOf(last) == ChunkState::none) --last;
   chunks_.shorten(last + 1);
-  while (!borders_.empty() && !borders_.back()) borders_.pop_back();
-  giveBackSpare(borders_);
 }
 
 void Grid::unload(Chunk& chunk, Border border) {
   assert(!chunk.isUnloaded);
   if (last_ == &chunk) last_ = nullptr;
   chunk.isUnloaded = true;
-  if (borders_.size() <= chunk.index) borders_.resize(std::size_t{chunk.index} + 1);
   border.ci = chunk.ci;
   border.cj = chunk.cj;
-  borders_[chunk.index] = Owned(std::make_unique<Border>(std::move(border)));
-  ++unloaded_;
-  unloadedRows_.insert(chunk.ci, chunk.cj);
+  borders_.emplace(chunk.index, std::move(border));
+  unloadedPlaces_.emplace(chunk.cj, chunk.ci);
 }
 
 Border Grid::load(Chunk& chunk) {
   assert(chunk.isUnloaded);
-  Border border = std::move(*borders_[chunk.index]);
-  borders_[chunk.index] = {};
-  --unloaded_;
-  unloadedRows_.erase(chunk.ci, chunk.cj);
   chunk.isUnloaded = false;
+  return takeBorder(chunk.index);
+}
+
+Border Grid::takeBorder(std::uint32_t number) {
+  Border border = std::move(borders_.extract(number).mapped());
+  unloadedPlaces_.erase({border.cj, border.ci});
+  giveBackBuckets(borders_);
   return border;
 }
 
 Chunk& Grid::wake(std::uint32_t number) {
   assert(placeOf(number));
-  if (!chunks_.has(number)) make(number, borders_[number]->ci, borders_[number]->cj).isUnloaded = true;
+  if (!chunks_.has(number)) make(number, border(number)->ci, border(number)->cj).isUnloaded = true;
   return chunks_[number];
 }
 
 void Grid::sleep(std::uint32_t number) {
   if (!chunks_.has(number)) return;
-  unlink(chunks_[number]);
+  const Chunk& chunk = chunks_[number];
+  for (std::size_t k = 0; k < chunk.around.size(); ++k)
+    if (Chunk* beside = chunk.around[k]) beside->around[8 - k] = nullptr;
+  if (last_ == &chunk) last_ = nullptr;
   chunks_.drop(number);
 }
 
 std::optional<std::pair<std::int32_t, std::int32_t>> Grid::firstUnloaded(const CellRect& cells) const {
-  constexpr std::uint64_t kFew = 16;
-  const ChunkRect reach(cells);
-  if (unloaded_ == 0) return std::nullopt;
-  if (reach.count() > kFew) return unloadedRows_.first(reach);
-  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
-      if (border(numberAt(ci, cj))) return std::pair(ci, cj);
+  const ChunkRect in(cells);
+  for (auto at = unloadedPlaces_.lower_bound({in.j0, in.i0}); at != unloadedPlaces_.end() && at->first <= in.j1;) {
+    const auto [cj, ci] = *at;
+    if (in.contains(ci, cj)) return std::pair(ci, cj);
+    at = unloadedPlaces_.lower_bound({ci < in.i0 ? cj : cj + 1, in.i0});
+  }
   return std::nullopt;
 }
 
 bool Grid::hasLoadedBeside(const Border& border) const {
-  for (std::int32_t dj = -1; dj <= 1; ++dj) {
-    for (std::int32_t di = -1; di <= 1; ++di) {
-      const std::uint32_t there = numberAt(border.ci + di, border.cj + dj);
-      if (there != kNoNumber && !this->border(there)) return true;
-    }
-  }
-  return false;
+  bool has = false;
+  forEachAround(border.ci, border.cj, [&](std::uint32_t number, std::size_t) { has |= !this->border(number); });
+  return has;
 }
 
 std::uint64_t Grid::bytes() const {
-  std::uint64_t sum = chunks_.bytes() + free_.capacity() * sizeof free_[0] + index_.bytes() + unloadedRows_.bytes();
-  sum += borders_.capacity() * sizeof borders_[0];
-  for (const Owned<Border>& border : borders_) sum += border ? border->bytes() : 0;
-  forEachChunk([&](const Chunk& chunk) { sum += chunk.blocks ? kChunkCells * sizeof(Block) : 0; });
+  std::uint64_t sum = chunks_.bytes() + heldBytes(free_) + index_.bytes();
+  sum += tableBytes(borders_) + unloadedPlaces_.size() * (sizeof *unloadedPlaces_.begin() + 4 * sizeof(void*));
+  for (const auto& [number, border] : borders_) sum += heldBytes(border.runs, border.kept);
+  forEachChunk([&](const Chunk& chunk) { sum += heldBytes(chunk.blocks); });
   return sum;
 }
 

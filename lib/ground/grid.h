@@ -9,10 +9,9 @@
 
 #include "ground/border.h"
 #include "ground/chunk.h"
-#include "ground/chunk_rows.h"
 #include "storage/hash_index.h"
-#include "storage/owned.h"
 #include "storage/pages.h"
+#include "storage/vectors.h"
 
 #include <lgs/lattice.h>
 
@@ -20,8 +19,9 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
+#include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -48,7 +48,7 @@ class Grid {
   CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
   /// Whether a cell is in an unloaded chunk. Then it may be without chunk, and must not be obtained.
   bool isUnloaded(Cell cell) const {
-    return unloaded_ != 0 && !isLast(cell) && border(numberAt(cell.i >> 5, cell.j >> 5)) != nullptr;
+    return !borders_.empty() && !isLast(cell) && border(numberAt(cell.i >> 5, cell.j >> 5)) != nullptr;
   }
   /// Whether there are as many chunks as there can be.
   bool isFull() const;
@@ -59,10 +59,7 @@ class Grid {
     return {chunks_.get(index), cellRef % kChunkCells};
   }
   /// What names a cell in find(); of no chunk, if there is none in its place.
-  std::uint32_t refOf(Cell cell) const {
-    const std::uint32_t number = numberAt(cell.i >> 5, cell.j >> 5);
-    return number == kNoNumber ? 0 : number * kChunkCells + localOf(cell);
-  }
+  std::uint32_t refOf(Cell cell) const { return numberAt(cell.i >> 5, cell.j >> 5) * kChunkCells + localOf(cell); }
   /// Of a chunk that is not asleep.
   Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells].cell(cellRef % kChunkCells); }
   /// The same of any chunk with a number that is in use.
@@ -70,8 +67,8 @@ class Grid {
     const auto [ci, cj] = *placeOf(cellRef / kChunkCells);
     return cellIn(ci, cj, cellRef % kChunkCells);
   }
-  static constexpr std::uint32_t kNoNumber = HashIndex::kNone;
-  /// The number of the chunk in a place, given in chunks, loaded or not; kNoNumber if there is none.
+  static constexpr std::uint32_t kNone = 0;
+  /// The number of the chunk in a place, given in chunks, loaded or not; kNone if there is none.
   std::uint32_t numberAt(std::int32_t ci, std::int32_t cj) const;
   /// Where a chunk is, in chunks, loaded or not; nothing if the number is not in use.
   std::optional<std::pair<std::int32_t, std::int32_t>> placeOf(std::uint32_t number) const;
@@ -89,8 +86,12 @@ class Grid {
   // --- Unloaded chunks, by their numbers
 
   /// Null if the chunk is loaded, or the number is none of ours.
-  Border* border(std::uint32_t number) const { return number < borders_.size() ? borders_[number].get() : nullptr; }
-  std::size_t unloadedCount() const { return unloaded_; }
+  const Border* border(std::uint32_t number) const {
+    const auto found = borders_.find(number);
+    return found == borders_.end() ? nullptr : &found->second;
+  }
+  Border* border(std::uint32_t number) { return const_cast<Border*>(std::as_const(*this).border(number)); }
+  std::size_t unloadedCount() const { return borders_.size(); }
   /// A chunk is unloaded from now on.
   void unload(Chunk& chunk, Border border);
   /// It is loaded from now on.
@@ -102,19 +103,29 @@ class Grid {
   bool hasLoadedBeside(const Border& border) const;
   /// The first unloaded chunk with cells of a rectangle, by rows: its column and row of chunks.
   std::optional<std::pair<std::int32_t, std::int32_t>> firstUnloaded(const CellRect& cells) const;
-  /// Calls visit(number) for the unloaded chunks with cells of a rectangle, in no particular order.
+
+  // --- Visits
+
+  /// Calls visit(number, k) for the chunk in a place and those around it, loaded or not; k is as in Chunk::around.
   template <class Visit>
-  void forEachUnloaded(const CellRect& cells, Visit&& visit) const {
-    if (unloaded_ == 0) return;
-    const ChunkRect reach(cells);
-    if (reach.count() > borders_.size()) {
-      for (std::uint32_t number = 1; number < borders_.size(); ++number)
-        if (const Border* b = border(number); b && reach.contains(b->ci, b->cj)) visit(number);
-      return;
+  void forEachAround(std::int32_t ci, std::int32_t cj, Visit&& visit) const {
+    for (std::size_t k = 0; k < 9; ++k) {
+      const auto di = static_cast<std::int32_t>(k % 3) - 1, dj = static_cast<std::int32_t>(k / 3) - 1;
+      if (const std::uint32_t number = numberAt(ci + di, cj + dj); number != kNone) visit(number, k);
     }
-    for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-      for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
-        if (const std::uint32_t number = numberAt(ci, cj); border(number)) visit(number);
+  }
+  /// Calls visit(number) for the chunks with cells of a rectangle, which is not empty, loaded or not.
+  template <class Visit>
+  void forEachNumber(const CellRect& cells, Visit&& visit) const {
+    const ChunkRect reach(cells);
+    if (reach.count() > count()) {
+      for (std::uint32_t number = 1; number < chunks_.size(); ++number)
+        if (const auto at = placeOf(number); at && reach.contains(at->first, at->second)) visit(number);
+    } else {
+      reach.forEach([&](std::int32_t ci, std::int32_t cj) {
+        if (const std::uint32_t number = numberAt(ci, cj); number != kNone) visit(number);
+      });
+    }
   }
   /// Calls visit(Chunk&) for those that are not asleep, by number.
   template <class Visit>
@@ -139,19 +150,12 @@ class Grid {
         for (c.i = std::max(i, cells.min.i); c.i <= lastI; ++c.i) visit(CellAt{&chunk, localOf(c)}, c);
     });
   }
-  /// Calls visit(Chunk&) for the chunks with cells of a rectangle, which is not empty.
+  /// Calls visit(Chunk&) for those of forEachNumber() that are not asleep.
   template <class Visit>
   void forEachChunk(const CellRect& cells, Visit&& visit) const {
-    const ChunkRect reach(cells);
-    if (reach.count() > count()) {
-      forEachChunk([&](Chunk& chunk) {
-        if (reach.contains(chunk)) visit(chunk);
-      });
-      return;
-    }
-    for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-      for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
-        if (const CellAt at = find(Cell{ci * kChunkSize, cj * kChunkSize})) visit(*at.chunk);
+    forEachNumber(cells, [&](std::uint32_t number) {
+      if (Chunk* chunk = chunks_.get(number)) visit(*chunk);
+    });
   }
 
   /// For tests of the limit: so many chunks count as made, and are not there.
@@ -174,8 +178,7 @@ class Grid {
   Chunk* obtainChunk(Cell cell);
   /// The Chunk of a number that has none.
   Chunk& make(std::uint32_t number, std::int32_t ci, std::int32_t cj);
-  void link(Chunk& chunk);
-  void unlink(const Chunk& chunk);
+  Border takeBorder(std::uint32_t number);
   std::uint32_t freeNumber();
   Chunk* remember(Chunk* chunk) {
     if (chunk && !chunk->isUnloaded && inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
@@ -186,13 +189,13 @@ class Grid {
   // Index 0 is no chunk of the world. A segment that is not alive says that it is in cell 0, and that is there. So a
   // link to one, should there ever be such a link, can be followed: the harness then reports it, where a crash says
   // little.
-  Pages<Chunk> chunks_;                 ///< by number; null where it is free, or asleep. The last one is in use.
-  std::vector<Owned<Border>> borders_;  ///< by number; of those that are unloaded
-  std::vector<std::uint32_t> free_;     ///< numbers, as a heap with the least first
-  std::size_t count_ = 0;               ///< of numbers in use
-  std::size_t unloaded_ = 0;
-  ChunkRows unloadedRows_;  ///< where they are
-  HashIndex index_;
+  Pages<Chunk> chunks_;  ///< by number; null where it is free, or asleep. The last one is in use.
+  std::unordered_map<std::uint32_t, Border> borders_;               ///< by number; of those that are unloaded
+  std::set<std::pair<std::int32_t, std::int32_t>> unloadedPlaces_;  ///< where these are: rows and columns
+  std::vector<std::uint32_t> free_;                                 ///< numbers, as a heap with the least first
+  std::size_t count_ = 0;                                           ///< of numbers in use
+  std::uint64_t seed_ = anySeed(this);
+  HashIndex index_;  ///< numbers by place
   // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so
   // what finds a cell there need not ask.
   Chunk* last_ = nullptr;

@@ -1,6 +1,6 @@
 #include "ground/ground.h"
 
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 namespace lgs::detail {
 
@@ -26,7 +26,7 @@ void Ground::beginChunk(const Chunk& chunk) {
     note.value = static_cast<std::uint32_t>(chunk.ci);
     note.block = static_cast<std::uint32_t>(chunk.cj);
   }
-  if (grid.unloadedCount() != 0) refreshAround(chunk.index);
+  refreshAround(chunk.index);
 }
 
 std::uint64_t Ground::bytes() const {

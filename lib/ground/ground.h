@@ -13,7 +13,6 @@
 
 #include <cassert>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -74,11 +73,8 @@ class Ground : public Cells {
   /// What a cell held, as a note of it says.
   using Cells::held;
   Held held(const Note& note) const {
-    return {note.key, note.value, note.block,
-            isListed(note.value) ? journal.kept(note.value & ~kListBit).data() : nullptr};
+    return {note.value, note.block, isListed(note.value) ? journal.kept(note.value & ~kListBit).data() : nullptr};
   }
-  /// Calls visit(content) for each content that a note keeps in use.
-  void forEachNotedContent(const std::function<void(ContentId)>& visit) const;
   /// Undoes the edits since a moment. No commit has found something since.
   void takeBack(Journal::Moment moment);
   /// The mark of a moment goes.
@@ -146,6 +142,7 @@ class Ground : public Cells {
   void beginChunk(const Chunk& chunk);
   void exchangeCell(Note& note);
   void exchangeChunk(Note& note);
+  void dropCell(const Note& note);
   using Cells::drop;
   std::vector<std::uint32_t> byRows(std::vector<std::uint32_t> numbers) const;
   CellMask notedCells(std::uint32_t number) const;

@@ -22,8 +22,8 @@ class Load {
     relation();
     polygons();
     // save() writes each polygon once, so each is new here, and gets the next number.
-    for (PolygonId id = 0; id < polygons_.size(); ++id)
-      if (polygons_[id] != id) return in_.fail(What::badPolygon);
+    for (std::size_t k = 0; k < polygons_.size(); ++k)
+      if (polygons_[k] != k + 1) return in_.fail(What::badPolygon);
     contents();
     shapes();
     if (hasFreeNumbers) freeNumbers();
@@ -36,9 +36,9 @@ class Load {
     if (in_.failed()) return {};
     const std::uint32_t number = ground_.grid.numberAt(ci, cj);
     const Border* border = ground_.grid.border(number);
-    if (border ? border->checksum != checksum : number != Grid::kNoNumber)
+    if (border ? border->checksum != checksum : number != Grid::kNone)
       in_.fail(border ? What::otherBytes : What::loaded);
-    if (number == Grid::kNoNumber && ground_.grid.isFull()) in_.fail(What::capacity);
+    if (number == Grid::kNone && ground_.grid.isFull()) in_.fail(What::capacity);
     polygons();
     contents();
     const Cell corner{ci * kChunkSize, cj * kChunkSize};
@@ -222,9 +222,7 @@ class Load {
     for (std::uint32_t local = 0; local < kChunkCells && !in_.failed(); ++local)
       if (isListed(local)) listedCell(local, contentAt(local));
     for (const Filled& f : filled_)
-      if (!inRange(Cell{corner.i + static_cast<std::int32_t>(f.local % kChunkSize),
-                        corner.j + static_cast<std::int32_t>(f.local / kChunkSize)}))
-        in_.fail(What::badNumber);
+      if (!inRange(cellIn(corner.i >> 5, corner.j >> 5, f.local))) in_.fail(What::badNumber);
   }
 
   void compactCell(std::uint32_t local, const Known& known, std::uint64_t serial, RunReader& blocks) {

@@ -21,32 +21,37 @@ Spot::Where locate(PolygonView polygon, LocalPoint p) {
 void polygonsOf(const Ground& ground, Cell cell, std::vector<PlacedPolygon>& out) {
   out.clear();
   const CellAt at = ground.grid.find(cell);
-  if (at && !at.chunk->isUnloaded) ground.read(ground.held(at), out);
+  if (at && !at.chunk->isUnloaded) ground.read(at.ref(), ground.held(at), out);
 }
 
-std::optional<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handle) {
-  const auto slot = ground.slotOf(handle);
-  if (!slot) return std::nullopt;
-  const CellAt at = ground.grid.find(handle.cellRef);
-  return PlacedPolygon{handle, ground.placed(at)[*slot].block,
-                       ground.catalogue.vertices(ground.content(at).polygons[*slot])};
+Expected<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handle) {
+  return ground.find(handle).map([&](const Ground::Found& found) {
+    return PlacedPolygon{handle, ground.held(found.at)[found.slot].block,
+                         ground.catalogue.vertices(ground.content(found.at).polygons[found.slot])};
+  });
+}
+
+/// Calls visit(CellAt, Cell) for the cells of a rectangle that hold polygons in memory.
+template <class Visit>
+void forEachHolding(const Ground& ground, const CellRect& cells, Visit&& visit) {
+  ground.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
+    if (!at.chunk->isUnloaded && ground.held(at).size() != 0) visit(at, cell);
+  });
 }
 
 void forEachPolygon(const Ground& ground, const CellRect& cells, const World::PolygonVisitor& visit) {
   if (lgs::isEmpty(cells) || !visit) return;
   std::vector<PlacedPolygon> polygons;
-  ground.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
-    if (at.chunk->isUnloaded || ground.contentId(at) == kEmptyContent) return;  // of 1,024 cells most are empty
+  forEachHolding(ground, cells, [&](CellAt at, Cell cell) {
     polygons.clear();
-    ground.read(ground.held(at), polygons);
+    ground.read(at.ref(), ground.held(at), polygons);
     for (const PlacedPolygon& polygon : polygons) visit(cell, polygon);
   });
 }
 
 std::optional<CellRect> boundsOf(const Ground& ground) {
   std::optional<CellRect> bounds;
-  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell cell) {
-    if (at.chunk->isUnloaded || ground.contentId(at) == kEmptyContent) return;
+  forEachHolding(ground, kWholeWorld, [&](CellAt, Cell cell) {
     if (!bounds) bounds = CellRect{cell, cell};
     bounds->min = {std::min(bounds->min.i, cell.i), std::min(bounds->min.j, cell.j)};
     bounds->max = {std::max(bounds->max.i, cell.i), std::max(bounds->max.j, cell.j)};
@@ -93,20 +98,15 @@ bool holdsPolygonsOf(const Ground& ground, const Ground& other) {
     return out;
   };
   bool areSame = true;
-  other.grid.forEachChunk([&](Chunk& chunk) {
-    for (CellAt at{&chunk, 0}; areSame && !chunk.isUnloaded && at.local < kChunkCells; ++at.local)
-      areSame = other.contentId(at) == kEmptyContent || read(ground, at.cell()) == read(other, at.cell());
-  });
+  forEachHolding(other, kWholeWorld,
+                 [&](CellAt, Cell cell) { areSame = areSame && read(ground, cell) == read(other, cell); });
   return areSame;
 }
 
 void count(const Ground& ground, Stats& stats) {
-  ground.grid.forEachChunk([&](Chunk& chunk) {
-    for (CellAt at{&chunk, 0}; !chunk.isUnloaded && at.local < kChunkCells; ++at.local) {
-      const std::size_t polygons = ground.content(at).polygons.size();
-      stats.polygons += polygons;
-      stats.cells += polygons > 0;
-    }
+  forEachHolding(ground, kWholeWorld, [&](CellAt at, Cell) {
+    stats.polygons += ground.held(at).size();
+    ++stats.cells;
   });
   stats.shapes = ground.catalogue.shapeCount();
   stats.contents = ground.catalogue.contentCount();

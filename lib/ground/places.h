@@ -12,7 +12,7 @@ namespace lgs::detail {
 
 /// By handle. Valid until the next edit.
 void polygonsOf(const Ground& ground, Cell cell, std::vector<PlacedPolygon>& out);
-std::optional<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handle);
+Expected<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handle);
 void forEachPolygon(const Ground& ground, const CellRect& cells, const World::PolygonVisitor& visit);
 std::optional<CellRect> boundsOf(const Ground& ground);
 Spot spotAt(const Ground& ground, Point p);

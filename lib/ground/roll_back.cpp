@@ -53,20 +53,20 @@ void Ground::exchangeChunk(Note& note) {
     [[maybe_unused]] const CellAt at =
         grid.obtain(cellIn(static_cast<std::int32_t>(note.value), static_cast<std::int32_t>(note.block), 0));
     assert(at.chunk->index == note.key);  // the least number that is free
-    if (grid.unloadedCount() != 0) refreshAround(note.key);
+    refreshAround(note.key);
     if (note.isGivenUp) stream(note.key);
     return;
   }
   note.isMoot = grid.border(note.key) != nullptr;
   if (note.isMoot) return;
-  if (grid.unloadedCount() != 0) refreshAround(note.key);
+  refreshAround(note.key);
   for (const CellWord word : grid.chunk(note.key).cells) drop(word);
   grid.forget(note.key);
 }
 
 void Ground::drop(const Note& note) {
   if (note.thing == Thing::cell) {
-    dropMoved(note.value, journal);
+    dropCell(note);
     const Border* border = grid.border(note.key / kChunkCells);
     const bool isWaiting = !spare_.empty() && spare_.back() == note.key / kChunkCells;
     if (border && !border->kept.empty() && !isWaiting) spare_.push_back(note.key / kChunkCells);
@@ -75,12 +75,10 @@ void Ground::drop(const Note& note) {
   }
 }
 
-void Ground::forEachNotedContent(const std::function<void(ContentId)>& visit) const {
-  journal.forEach([&](const Note& note) {
-    if (note.thing != Thing::cell) return;
-    const Held held = this->held(note);
-    visit(held.list != nullptr ? PolygonList(held.list).content() : held.word >> kLowBits);
-  });
+/// What a cell held.
+void Ground::dropCell(const Note& note) {
+  catalogue.release(held(note).content());
+  if (isListed(note.value)) journal.release(note.value & ~kListBit);
 }
 
 void Ground::takeBack(Journal::Moment moment) {

@@ -156,33 +156,27 @@ class Save {
     });
   }
 
-  /// Visits the cells of a chunk by rows.
-  template <class Visit>
-  static void forEachCell(const Chunk& chunk, Visit&& visit) {
-    for (std::uint32_t local = 0; local < kChunkCells; ++local) visit(CellAt{chunk.self(), local});
-  }
-
   void cells(const Chunk& chunk) {
     std::vector<std::uint64_t> contents, serials, blocks;
-    forEachCell(chunk, [&](CellAt at) {
-      const ContentId content = ground_.contentId(at);
-      contents.push_back(std::uint64_t{numbers_.ofContent(content)} << 1 | (Ground::isListed(at) ? 1u : 0u));
-      if (Ground::isListed(at)) return;
-      serials.push_back(ground_.lastSerial(at));
-      if (content != kEmptyContent) blocks.push_back(ground_.placed(at)[0].block);
-    });
+    for (CellAt at{chunk.self(), 0}; at.local < kChunkCells; ++at.local) {
+      const Held held = ground_.held(at);
+      contents.push_back(std::uint64_t{numbers_.ofContent(held.content())} << 1 | (isListed(at.word()) ? 1u : 0u));
+      if (isListed(at.word())) continue;
+      serials.push_back(held.lastSerial());
+      if (held.size() != 0) blocks.push_back(held[0].block);
+    }
     out_.runs(contents);
     out_.runs(serials);
     out_.runs(blocks);
-    forEachCell(chunk, [&](CellAt at) {
-      if (!Ground::isListed(at)) return;
-      out_.number(ground_.lastSerial(at));
+    for (CellAt at{chunk.self(), 0}; at.local < kChunkCells; ++at.local) {
+      if (!isListed(at.word())) continue;
+      const Held held = ground_.held(at);
+      out_.number(held.lastSerial());
       for (const Slot slot : numbers_.slots(ground_.content(at))) {
-        const Placed placed = ground_.placed(at)[slot];
-        out_.number(placed.serial);
-        out_.number(placed.block);
+        out_.number(held[slot].serial);
+        out_.number(held[slot].block);
       }
-    });
+    }
   }
 
   const Ground& ground_;

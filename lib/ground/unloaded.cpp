@@ -11,8 +11,11 @@
 #include "ground/ground.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <iterator>
+#include <span>
+#include <tuple>
 #include <utility>
 
 namespace lgs::detail {
@@ -32,30 +35,23 @@ bool isWithin(const CellRect& cells, std::int32_t ci, std::int32_t cj) {
 // --- Which chunks
 
 std::vector<std::uint32_t> Ground::byRows(std::vector<std::uint32_t> numbers) const {
-  constexpr std::int32_t kHalf = 1 << 26;  // columns and rows of chunks are less far from 0
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
+  std::vector<std::tuple<std::int32_t, std::int32_t, std::uint32_t>> places;  // row, column, number
   for (const std::uint32_t number : numbers)
-    if (const auto place = grid.placeOf(number))
-      places.emplace_back(
-          static_cast<std::uint64_t>(place->second + kHalf) << 32 | static_cast<std::uint64_t>(place->first + kHalf),
-          number);
+    if (const auto place = grid.placeOf(number)) places.emplace_back(place->second, place->first, number);
   detail::sort(places);
   numbers.clear();
-  for (const auto& place : places)
-    if (numbers.empty() || numbers.back() != place.second) numbers.push_back(place.second);
+  for (const auto& [row, column, number] : places)
+    if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
   return numbers;
 }
 
 std::vector<std::uint32_t> Ground::chunksWithin(const CellRect& cells, bool areUnloaded) const {
   std::vector<std::uint32_t> numbers;
-  if (areUnloaded)
-    grid.forEachUnloaded(cells, [&](std::uint32_t k) {
-      if (isWithin(cells, grid.border(k)->ci, grid.border(k)->cj)) numbers.push_back(k);
-    });
-  else
-    grid.forEachChunk(cells, [&](const Chunk& c) {
-      if (!c.isUnloaded && isWithin(cells, c.ci, c.cj)) numbers.push_back(c.index);
-    });
+  if (areUnloaded && grid.unloadedCount() == 0) return numbers;
+  grid.forEachNumber(cells, [&](std::uint32_t number) {
+    const auto [ci, cj] = *grid.placeOf(number);
+    if ((grid.border(number) != nullptr) == areUnloaded && isWithin(cells, ci, cj)) numbers.push_back(number);
+  });
   return byRows(std::move(numbers));
 }
 
@@ -73,7 +69,7 @@ std::vector<std::uint32_t> Ground::forgetChunks(const CellRect& cells) {
   assert(!hasChanged());
   std::vector<std::uint32_t> gone;
   for (const std::uint32_t number : chunksWithin(cells, false))
-    if (std::ranges::all_of(grid.chunk(number).cells, [&](CellWord word) { return holdsNothing(word); }))
+    if (std::ranges::all_of(grid.chunk(number).cells, [&](CellWord word) { return held(word).size() == 0; }))
       gone.push_back(number);
   for (const std::uint32_t number : gone) {
     const Chunk& chunk = grid.chunk(number);
@@ -114,8 +110,8 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
     if (isNoted)
       border.kept.push_back(isRim ? Border::Kept{at.local} : Border::Kept{at.local, at.word(), chunk.block(at.local)});
     else
-      border.lastSerial = std::max(border.lastSerial, lastSerial(at));
-    if (isRim && (isNoted || !holdsNothing(at.word()))) continue;
+      border.lastSerial = std::max(border.lastSerial, held(at).lastSerial());
+    if (isRim && (isNoted || held(at).size() != 0)) continue;
     if (!isNoted) drop(at.word());
     lay(at, 0, 0);
   }
@@ -135,9 +131,7 @@ Chunk& Ground::load(std::uint32_t number, CellMask& known) {
   }
   for (std::uint32_t k = 0; k < kRimCells; ++k) {
     const CellAt at{&chunk, rimCell(k)};
-    if (contains(known, at.local)) continue;
-    drop(at.word());
-    lay(at, 0, 0);
+    if (!contains(known, at.local)) empty(at);
   }
   stream(number);
   return chunk;
@@ -149,8 +143,8 @@ std::uint32_t Ground::lastSerialIn(std::uint32_t number) {
   const Border& border = *grid.border(number);
   std::uint32_t last = border.lastSerial;
   for (std::uint32_t k = 0; k < kRimCells; ++k)
-    last = std::max(last, lastSerial(CellAt{&grid.chunk(number), rimCell(k)}));
-  for (const Border::Kept& kept : border.kept) last = std::max(last, lastSerial(held(0, kept.word, kept.block)));
+    last = std::max(last, held(CellAt{&grid.chunk(number), rimCell(k)}).lastSerial());
+  for (const Border::Kept& kept : border.kept) last = std::max(last, held(kept.word).lastSerial());
   return last;
 }
 
@@ -159,38 +153,39 @@ std::uint32_t Ground::lastSerialIn(std::uint32_t number) {
 void Ground::loadEmpty(std::uint32_t number) {
   std::uint32_t lastSerial = lastSerialIn(number);
   const std::pair place = *grid.placeOf(number);
-  const bool withUndone = std::ranges::none_of(journal.undone(), [&](const Note& note) {
+  const bool withUndone = std::ranges::none_of(std::as_const(journal).undone(), [&](const Note& note) {
     const std::pair then{static_cast<std::int32_t>(note.value), static_cast<std::int32_t>(note.block)};
     return note.thing == Thing::chunk && note.key == number && then != place;
   });
   const auto isOfChunk = [&](const Note& note) {
     return note.thing == Thing::cell && note.key / kChunkCells == number;
   };
-  const auto look = [&](const Note& note) {
-    if (isOfChunk(note)) lastSerial = std::max(lastSerial, Cells::lastSerial(held(note)));
-  };
-  journal.forEach(look, withUndone);
-  const auto giveUp = [&](Note& note) {
-    if (note.thing == Thing::chunk && note.key == number) note.isGivenUp = true;
-    if (!isOfChunk(note)) return;
-    dropMoved(note.value, journal);
-    note.value = moveOut(emptyWord(lastSerial), journal);
-  };
-  journal.forEach(giveUp, withUndone);
+  const std::array all{journal.notes(), withUndone ? journal.undone() : std::span<Note>()};
+  for (const std::span<Note> notes : all)
+    for (const Note& note : notes)
+      if (isOfChunk(note)) lastSerial = std::max(lastSerial, held(note).lastSerial());
+  for (const std::span<Note> notes : all) {
+    for (Note& note : notes) {
+      if (note.thing == Thing::chunk && note.key == number) note.isGivenUp = true;
+      if (!isOfChunk(note)) continue;
+      dropCell(note);
+      note.value = moveOut(wordFor(kEmptyContent, lastSerial, {}), journal);
+    }
+  }
   CellMask known;
   Chunk& chunk = load(number, known);
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
     drop(at.word());
-    lay(at, inRange(at.cell()) ? emptyWord(lastSerial) : 0, 0);
+    lay(at, inRange(at.cell()) ? wordFor(kEmptyContent, lastSerial, {}) : 0, 0);
   }
 }
 
-Ground::Held Ground::heldNow(std::uint32_t ref) {
+Held Ground::heldNow(std::uint32_t ref) {
   const std::uint32_t number = ref / kChunkCells, local = ref % kChunkCells;
   if (Border* border = grid.border(number)) {
     if (!isAtRim(local)) {
       const Border::Kept& kept = border->keptAt(local);
-      return held(ref, kept.word, kept.block);
+      return held(kept.word, kept.block);
     }
     wakeRim(number);
   }
@@ -205,9 +200,12 @@ void Ground::wakeRim(std::uint32_t number) {
   if (border.isRimInChunk) return;
   border.isRimInChunk = true;
   std::uint32_t k = 0;
-  for (const Border::Run& run : std::exchange(border.runs, {}))
-    for (std::uint32_t n = 0; n < run.cells; ++n)
-      lay({&chunk, rimCell(k++)}, n == 0 ? run.word : copyOf(run.word), run.block);
+  for (const Border::Run& run : std::exchange(border.runs, {})) {
+    for (std::uint32_t n = 0; n < run.cells; ++n) {
+      if (n != 0) catalogue.use(held(run.word).content());
+      lay({&chunk, rimCell(k++)}, run.word, run.block);
+    }
+  }
   refreshLater(number);
 }
 
@@ -239,7 +237,7 @@ void Ground::trim(std::uint32_t number) {
   const CellMask noted = notedCells(number);
   std::erase_if(border.kept, [&](const Border::Kept& kept) {
     if (contains(noted, kept.local)) return false;
-    border.lastSerial = std::max(border.lastSerial, lastSerial(held(0, kept.word, kept.block)));
+    border.lastSerial = std::max(border.lastSerial, held(kept.word).lastSerial());
     drop(kept.word);
     return true;
   });
@@ -271,10 +269,11 @@ void Ground::noteStreamed(std::uint32_t number) {
 }
 
 void Ground::refreshAround(std::uint32_t number) {
+  if (grid.unloadedCount() == 0) return;
   const auto [ci, cj] = *grid.placeOf(number);
-  for (std::int32_t dj = -1; dj <= 1; ++dj)
-    for (std::int32_t di = -1; di <= 1; ++di)
-      if (const std::uint32_t there = grid.numberAt(ci + di, cj + dj); grid.border(there)) refreshLater(there);
+  grid.forEachAround(ci, cj, [this](std::uint32_t there, std::size_t) {
+    if (grid.border(there)) refreshLater(there);
+  });
 }
 
 /// The cells at the rim of an unloaded chunk hold what they held, if somebody needs that, or nothing.

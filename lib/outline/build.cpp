@@ -29,21 +29,16 @@ struct LiveCell {
 
 struct ChunkPlan {
   Chunk* chunk = nullptr;
-  std::span<LiveCell> cells;  ///< by rows
-  std::size_t segments = 0;   ///< how many these cells show together
-  std::size_t first = 0;      ///< where they begin in the list of added segments
+  std::vector<LiveCell> cells = {};  ///< by rows
+  std::size_t segments = 0;          ///< how many these cells show together
+  std::size_t first = 0;             ///< where they begin in the list of added segments
 };
 
 class Build {
  public:
   Build(const Ground& ground, Outline& outline, const Executor& executor)
-      : ground_(ground),
-        outline_(outline),
-        executor_(executor),
-        cells_(std::make_unique_for_overwrite<LiveCell[]>(ground.changedChunks().size() * kChunkCells)) {
-    plans_.reserve(ground.changedChunks().size());
-    for (Chunk* chunk : ground.changedChunks())
-      plans_.push_back({.chunk = chunk, .cells = {cells_.get() + plans_.size() * kChunkCells, 0}});
+      : ground_(ground), outline_(outline), executor_(executor) {
+    for (Chunk* chunk : ground.changedChunks()) plans_.push_back({.chunk = chunk});
   }
 
   void run() {
@@ -69,8 +64,8 @@ class Build {
 
   void count(ChunkPlan& plan) const {
     const Chunk& chunk = *plan.chunk;
-    LiveCell* last = plan.cells.data();
-    std::size_t sum = 0;  // written to the plan only once, as the plan beside it belongs to another thread
+    std::vector<LiveCell> cells;  // written to the plan only once, as the plan beside it belongs to another thread
+    std::size_t sum = 0;
     for (std::int32_t y = 0; y < kChunkSize; ++y) {
       WideRow showing = dirtyRow(chunk, y);
       if (showing == 0) continue;
@@ -79,12 +74,12 @@ class Build {
         const CellAt at = cellAt(chunk, x, y);
         const std::uint32_t segments = Look(ground_, at).count();
         if (segments == 0) return;
-        *last++ = {static_cast<std::uint16_t>(at.local), static_cast<std::uint16_t>(segments)};
+        cells.push_back({static_cast<std::uint16_t>(at.local), static_cast<std::uint16_t>(segments)});
         sum += segments;
       });
     }
     plan.segments = sum;
-    plan.cells = {plan.cells.data(), last};
+    plan.cells = std::move(cells);
   }
 
   /// Gives out lists and ids, in the order of the chunks.
@@ -127,9 +122,8 @@ class Build {
   const Ground& ground_;
   Outline& outline_;
   const Executor& executor_;
-  std::unique_ptr<LiveCell[]> cells_;  ///< room for all cells of each chunk; the system gives memory for what is used
-  std::span<const SegmentId> ids_;     ///< of all segments, in the order of the plans
-  std::vector<ChunkPlan> plans_;       ///< in the order of changedChunks()
+  std::span<const SegmentId> ids_;  ///< of all segments, in the order of the plans
+  std::vector<ChunkPlan> plans_;    ///< in the order of changedChunks()
 };
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "outline/outline.h"
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 
 namespace lgs::detail {
@@ -49,7 +48,7 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
   changes_.removed.clear();
   changes_.added.clear();
   changes_.relinked.clear();
-  isFiltered_ = ground.grid.unloadedCount() != 0 || hidden_.any();
+  isFiltered_ = ground.grid.unloadedCount() != 0 || hidesAny();
   if (isFiltered_) [[unlikely]]
     dropStreamed(ground);
   if (kHasThreads && executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
@@ -74,41 +73,53 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
 /// So no id is of a hidden segment and then of one that is not. (If both came between two commits, ids stay.)
 void Outline::dropStreamed(const Ground& ground) {
   hasStreamed_ = false;
+  dropped_ = 0;
+  shown_.removed.clear();
   for (const Chunk* chunk : ground.changedChunks()) {
-    if (chunk->isUnloaded == hidden_.are(chunk->index)) continue;
+    const bool was = hides(chunk->index);
+    if (chunk->isUnloaded == was) continue;
     clear(*chunk);
-    if (journal_) noteHidden(chunk->index);
-    hidden_.stream(chunk->index);
+    const std::span<const SegmentId> gone = std::span(changes_.removed).subspan(dropped_);
+    if (!was) shown_.removed.insert(shown_.removed.end(), gone.begin(), gone.end());
+    dropped_ += gone.size();
+    Note* note = journal_ ? journal_->addOnce(Thing::hidden, chunk->index) : nullptr;
+    if (note) note->value = was ? 1 : 0;
+    setHidden(chunk->index, !was);
     hasStreamed_ = true;
   }
+}
+
+void Outline::setHidden(std::uint32_t chunk, bool isHidden) {
+  if (isHidden)
+    hidden_.insert(chunk);
+  else
+    hidden_.erase(chunk);
+  giveBackBuckets(hidden_);
 }
 
 /// All segments of a chunk go.
 void Outline::clear(const Chunk& chunk) {
   for (std::uint32_t row = 0; row < kChunkSize; ++row) {
-    for (RowMask left = lists.liveRow(chunk, row); left != 0; left &= left - 1) {
-      const CellAt at{chunk.self(), row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(left))};
+    forEachBit(lists.liveRow(chunk, row), [&](std::uint32_t x) {
+      const CellAt at{chunk.self(), row * kChunkSize + x};
       const std::span<const std::uint32_t> ids = lists.of(at).all();
       for (const std::uint32_t id : ids) remove(id);
       splice(at, 0, static_cast<std::uint32_t>(ids.size()), 0);
-    }
+    });
   }
   lists.forget(chunk.index);  // how they are kept is decided anew
 }
 
-/// Leaves out what is hidden: of the removed what was so before this update, of the others what is so now.
+/// Leaves out what is hidden. Of the removed those that were dropped are told already, if they were shown before.
 void Outline::filter() {
-  const auto take = [&](const std::vector<SegmentId>& all, const auto& hides, std::vector<SegmentId>& out) {
-    out.clear();
-    std::ranges::copy_if(all, std::back_inserter(out),
-                         [&](SegmentId id) { return !hides(segments[id.value].cellRef / kChunkCells); });
+  const auto take = [&](std::span<const SegmentId> all, std::vector<SegmentId>& out) {
+    std::ranges::copy_if(all, std::back_inserter(out), [&](SegmentId id) { return !isHidden(id); });
   };
-  const auto isNow = [&](std::uint32_t chunk) { return hidden_.are(chunk); };
-  take(
-      changes_.removed, [&](std::uint32_t chunk) { return hidden_.were(chunk); }, shown_.removed);
-  take(changes_.added, isNow, shown_.added);
-  take(changes_.relinked, isNow, shown_.relinked);
-  hidden_.endUpdate();
+  shown_.added.clear();
+  shown_.relinked.clear();
+  take(std::span(changes_.removed).subspan(dropped_), shown_.removed);
+  take(changes_.added, shown_.added);
+  take(changes_.relinked, shown_.relinked);
 }
 
 /// A preserve relation that contradicts itself can leave ends that phase 2 never visits. They get no link.

@@ -92,7 +92,7 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   const std::uint32_t inside = layout.end(kInterior), place = inside + kSideCounts[sides][side];
   std::uint32_t id = 0;
   if (now != 0)
-    id = outline_.create(at.ref(), kSideEnds[side], ground_.placed(at)[content.wholeSlot(side)]);
+    id = outline_.create(at.ref(), kSideEnds[side], ground_.held(at)[content.wholeSlot(side)]);
   else
     outline_.remove(shown.ids()[place]);
   std::uint32_t* words = outline_.splice(at, place, before, now);
@@ -101,78 +101,52 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   layoutOfSides(sides ^ 1u << side, inside, content.cornerEnds).write(words);
 }
 
-/// Walks along the segments that are there, part by part, and along the edges that show now. Both are in the same
-/// order. Equal edges of the same polygon keep their id.
-class Exposure::Merge {
- public:
-  Merge(Outline& outline, std::uint32_t ref, std::vector<std::uint32_t>& ids)
-      : outline_(outline), ref_(ref), ids_(ids) {}
-
-  /// Takes up the next part.
-  void begin(std::span<const std::uint32_t> old) { old_ = old; }
-
-  /// The next edge that shows. Its segment is there already, or is made.
-  void show(const PackedEnds& ends, Placed placed) {
-    const auto edge = std::pair(ends.start(), ends.end());
-    for (; !old_.empty(); dropFirst()) {
-      const SegmentRecord& first = outline_.segments[old_.front()];
-      const auto order = std::pair(first.start(), first.end()) <=> edge;
-      if (order > 0) break;
-      if (order == 0 && first.serial == placed.serial && first.block == placed.block) {
-        ids_.push_back(old_.front());
-        old_ = old_.subspan(1);
-        return;
-      }
-    }
-    ids_.push_back(outline_.create(ref_, ends, placed));
-    changed_ = true;
-  }
-
-  /// After the last edge: drops what is left.
-  void finish() {
-    while (!old_.empty()) dropFirst();
-  }
-
-  bool changed() const { return changed_; }
-
- private:
-  void dropFirst() {
-    outline_.remove(old_.front());
-    old_ = old_.subspan(1);
-    changed_ = true;
-  }
-
-  Outline& outline_;
-  std::uint32_t ref_;
-  std::vector<std::uint32_t>& ids_;
-  std::span<const std::uint32_t> old_;
-  bool changed_ = false;
-};
-
-/// Some parts of a cell, whatever they show and showed.
+/// Some parts of a cell, whatever they show and showed. Walks along the segments that are there, part by part, and along
+/// the edges that show now. Both are in the same order. Equal edges of the same polygon keep their id.
 void Exposure::merge(CellAt at, unsigned parts) {
   const Look look(ground_, at);
+  const Held held = ground_.held(at);
   const CellSegments shown = outline_.lists.of(at);
-  Merge merge(outline_, at.ref(), ids_);
   PartEnds ends{};
   Touching touches = 0;
+  bool hasChanged = false;
+  std::span<const std::uint32_t> old;  // of the part: the segments that are not passed yet
+  const auto dropFirst = [&] {
+    outline_.remove(old.front());
+    old = old.subspan(1);
+    hasChanged = true;
+  };
+  const auto show = [&](const PackedEnds& edge, Placed placed) {
+    const auto here = std::pair(edge.start(), edge.end());
+    for (; !old.empty(); dropFirst()) {
+      const std::uint32_t id = old.front();
+      const SegmentRecord& first = outline_.segments[id];
+      const auto order = std::pair(first.start(), first.end()) <=> here;
+      if (order > 0) break;
+      if (order != 0 || first.serial != placed.serial || first.block != placed.block) continue;
+      old = old.subspan(1);
+      return id;
+    }
+    hasChanged = true;
+    return outline_.create(at.ref(), edge, placed);
+  };
   ids_.clear();
   for (unsigned part = 0; part < kParts; ++part) {
-    const auto before = shown ? shown.part(part) : std::span<const std::uint32_t>();  // quicker than five empty parts
+    old = shown ? shown.part(part) : std::span<const std::uint32_t>();  // quicker than five empty parts
     if ((parts >> part & 1u) == 0) {
-      ids_.insert(ids_.end(), before.begin(), before.end());
+      ids_.insert(ids_.end(), old.begin(), old.end());
       if (part != kInterior) touches |= shown.layout().touching() & bothEnds(1u << (part - 1));
     } else {
-      merge.begin(before);
       look.forEach(part, [&](const PackedEnds& edge, Slot slot, Touching touching) {
-        merge.show(edge, ground_.placed(at)[slot]);
+        ids_.push_back(show(edge, held[slot]));
         touches |= touching;
       });
-      merge.finish();
+      for (const std::uint32_t id : old) outline_.remove(id);
+      hasChanged |= !old.empty();
     }
     ends[part] = static_cast<std::uint16_t>(ids_.size());
   }
-  if (!merge.changed()) return;
+  if (!hasChanged) return;
   std::uint32_t* words = outline_.splice(at, 0, shown.count(), static_cast<std::uint32_t>(ids_.size()));
   if (!words) return;
   std::copy(ids_.begin(), ids_.end(), words + Layout::kWords);

@@ -17,8 +17,6 @@ class Exposure {
   void renewChunk(const Chunk& chunk);
 
  private:
-  class Merge;
-
   void renewAround(CellAt at);
   void renew(CellAt at);
   void renewSide(CellAt at, unsigned side, unsigned beyond);

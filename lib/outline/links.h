@@ -17,21 +17,20 @@ class Links {
   }
   void setPredecessor(std::uint32_t id, std::uint32_t now) {
     SegmentRecord& s = pool_[id];
-    if (s.predecessor != now && s.predecessor != kUnlinked) changeStart(id, now);
+    if (s.predecessor != now && s.predecessor != kUnlinked) change(id, s.predecessor, now, true);
     s.predecessor = now;
   }
   void setSuccessor(std::uint32_t id, std::uint32_t now) {
     SegmentRecord& s = pool_[id];
-    if (s.successor != now && s.successor != kUnlinked) changeEnd(id, now);
+    if (s.successor != now && s.successor != kUnlinked) change(id, s.successor, now, false);
     s.successor = now & kUnlinked;
   }
 
  private:
-  // Slow path: an existing link changes. Lists the segment as relinked only if its ghost moved: the other segment may
-  // have the same far end. These are in another file, so that they are not inlined: a first build never needs them, as
-  // no segment had a link before.
-  void changeStart(std::uint32_t id, std::uint32_t now);
-  void changeEnd(std::uint32_t id, std::uint32_t now);
+  // Slow path: an existing link changes. Lists the segment as relinked only if its ghost moved, which is the start or the
+  // end of the other one: that may have the same far end. This is in another file, so that it is not inlined: a first
+  // build never needs it, as no segment had a link before.
+  void change(std::uint32_t id, std::uint32_t before, std::uint32_t now, bool isGhostStart);
 
   const Grid& grid_;
   Outline& outline_;

@@ -68,7 +68,7 @@ class Look {
     exposedIntervals(
         content_.sides[side], ground_.content(beyond).sides[opposite(side)],
         [&](Slot a, Slot b) {
-          return ground_.preserve && ground_.keeps(ground_.placed(at_)[a].block, ground_.placed(beyond)[b].block);
+          return ground_.preserve && ground_.keeps(ground_.held(at_)[a].block, ground_.held(beyond)[b].block);
         },
         [&](std::int32_t begin, std::int32_t end, Slot slot) {
           const LocalPoint low = pointAt(side, begin), high = pointAt(side, end);
@@ -79,7 +79,7 @@ class Look {
 
   template <class Create>
   void fillSimple(std::uint32_t* words, Create& create) const {
-    const Placed sole = ground_.placed(at_)[0];
+    const Placed sole = ground_.held(at_)[0];
     const std::size_t inside = content_.interior.size();
     layoutOfSides(sides_, inside, content_.cornerEnds).write(words);
     std::uint32_t* id = words + Layout::kWords;
@@ -90,7 +90,7 @@ class Look {
 
   template <class Create>
   void fillParts(std::uint32_t* words, std::uint32_t count, Create& create) const {
-    const PlacedBySlot placed = ground_.placed(at_);
+    const Held placed = ground_.held(at_);
     std::uint32_t* const ids = words + Layout::kWords;
     std::uint32_t* id = ids;
     PartEnds ends{};

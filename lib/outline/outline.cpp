@@ -2,7 +2,7 @@
 #include "outline/outline.h"
 
 #include "outline/fetch.h"
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 namespace lgs::detail {
 
@@ -14,18 +14,15 @@ std::span<const SegmentId> Outline::createIds(std::size_t count) {
 
 std::uint64_t Outline::liveCount(const Grid& grid) const {
   std::uint64_t count = segments.maxId() - segments.free().size();
-  if (hidden_.any()) {
-    grid.forEachChunk([&](Chunk& chunk) {
-      for (CellAt at{&chunk, 0}; hidden_.are(chunk.index) && at.local < kChunkCells; ++at.local)
-        count -= lists.of(at).count();
-    });
-  }
+  for (const std::uint32_t chunk : hidden_)
+    for (CellAt at = grid.find(chunk * kChunkCells); at && at.local < kChunkCells; ++at.local)
+      count -= lists.of(at).count();
   return count;
 }
 
 void Outline::forget(std::uint32_t chunk) {
   lists.forget(chunk);
-  hidden_.forget(chunk);
+  setHidden(chunk, false);
 }
 
 void fetchAround(const Outline& outline, const Grid& grid, std::uint32_t cellRef) {
@@ -38,7 +35,7 @@ void fetchAround(const Outline& outline, const Grid& grid, std::uint32_t cellRef
 }
 
 std::uint64_t Outline::bytes() const {
-  return segments.bytes() + lists.bytes() + bytesOf(changes_) + bytesOf(shown_) + hidden_.bytes() +
+  return segments.bytes() + lists.bytes() + bytesOf(changes_) + bytesOf(shown_) + tableBytes(hidden_) +
          heldBytes(ids_, fan_);
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ground/ground.h"
-#include "outline/hidden_chunks.h"
 #include "outline/segment_lists.h"
 #include "outline/segment_pool.h"
 #include "storage/journal.h"
@@ -13,6 +12,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -46,9 +46,11 @@ class Outline {
 
   /// How many segments there are that are not hidden.
   std::uint64_t liveCount(const Grid& grid) const;
-  /// As of the last update.
-  const HiddenChunks& hidden() const { return hidden_; }
-  bool isHidden(SegmentId id) const { return hidden_.any() && hidden_.are(segments[id.value].cellRef / kChunkCells); }
+  /// Whether the segments of a chunk are hidden, since it was unloaded at the last update: they are there to be linked
+  /// to. The number need not be in use.
+  bool hides(std::uint32_t chunk) const { return hidden_.contains(chunk); }
+  bool hidesAny() const { return !hidden_.empty(); }
+  bool isHidden(SegmentId id) const { return hidesAny() && hides(segments[id.value].cellRef / kChunkCells); }
   bool isShown(SegmentId id) const { return segments.isLive(id.value) && !isHidden(id); }
   /// A chunk of which nothing is left. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
@@ -145,14 +147,15 @@ class Outline {
   void endWithoutLinks(std::uint32_t id);
   void noteList(CellAt at);
   void noteSegment(std::uint32_t id);
-  void noteHidden(std::uint32_t chunk);
+  void setHidden(std::uint32_t chunk, bool isHidden);
   void noteRemoved(std::uint32_t id);
 
   Changes changes_;
-  Changes shown_;             ///< the same without what is hidden, if some of it may be
-  bool isFiltered_ = false;   ///< whether the last update had hidden segments, or unloaded chunks
-  bool hasStreamed_ = false;  ///< if it had: whether chunks came or went with it
-  HiddenChunks hidden_;
+  Changes shown_;                             ///< the same without what is hidden, if some of it may be
+  bool isFiltered_ = false;                   ///< whether the last update had hidden segments, or unloaded chunks
+  bool hasStreamed_ = false;                  ///< if it had: whether chunks came or went with it
+  std::size_t dropped_ = 0;                   ///< of the removed, those of chunks that came or went
+  std::unordered_set<std::uint32_t> hidden_;  ///< numbers of chunks
   Versions versions_;
   std::uint64_t version_ = 0;
   Journal* journal_ = nullptr;  ///< of the update under way, if there is a moment to roll back to

@@ -21,19 +21,13 @@ DoublePoint pointOn(Point from, Point to, double part) {
           inCells(static_cast<double>(from.y) + part * static_cast<double>(to.y - from.y))};
 }
 
-/// A cell that may lie just beyond the last one: nothing is there.
-struct CellIndex {
-  std::int64_t i = 0;
-  std::int64_t j = 0;
-};
+Cell cellOf(std::int64_t i, std::int64_t j) { return {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)}; }
 
 /// The cells of the world whose closed squares are at most `reach` lattice units away from a point on each axis.
 CellRect cellsWithin(Point p, std::int64_t reach) {
   const auto clamped = [](std::int64_t at) { return std::clamp<std::int64_t>(at >> kCellBits, -kMaxCell, kMaxCell); };
-  const auto cell = [&](std::int64_t x, std::int64_t y) {
-    return Cell{static_cast<std::int32_t>(clamped(x)), static_cast<std::int32_t>(clamped(y))};
-  };
-  return {cell(p.x - reach - 1, p.y - reach - 1), cell(p.x + reach, p.y + reach)};
+  return {cellOf(clamped(p.x - reach - 1), clamped(p.y - reach - 1)),
+          cellOf(clamped(p.x + reach), clamped(p.y + reach))};
 }
 
 /// Rounded down.
@@ -42,7 +36,8 @@ constexpr std::int64_t floorOf(std::int64_t numerator, std::int64_t denominator)
 }
 
 /// The closed cells that a ray touches, slab by slab. A slab is a column if the ray is wider than high, and a row if it
-/// is higher than wide. Calls visit(cell) for the cells of a slab, then slabDone(), which says whether to go on.
+/// is higher than wide. Calls visit(cell) for the cells of a slab, which may lie just beyond the last one of the world,
+/// then slabDone(), which says whether to go on.
 template <class Visit, class SlabDone>
 void walk(const Ray& ray, Visit&& visit, SlabDone&& slabDone) {
   const std::int64_t width = ray.to.x - ray.from.x, height = ray.to.y - ray.from.y;
@@ -64,7 +59,7 @@ void walk(const Ray& ray, Visit&& visit, SlabDone&& slabDone) {
     };
     const std::int64_t a = across(enter), b = across(leave);
     for (std::int64_t other = lowest(std::min(a, b)); other <= highest(std::max(a, b) + 1); ++other)
-      visit(byColumns ? CellIndex{slab, other} : CellIndex{other, slab});
+      visit(byColumns ? cellOf(slab, other) : cellOf(other, slab));
     if (!slabDone(leave, length)) return;
   }
 }
@@ -76,21 +71,12 @@ SegmentEnds endsOf(const Grid& grid, const Outline& outline, std::uint32_t id) {
 /// The chunks with cells of a rectangle that were unloaded at the last commit: calls visit(cells) with those of each.
 template <class Visit>
 void forEachHidden(const Grid& grid, const Outline& outline, const CellRect& cells, Visit&& visit) {
-  const ChunkRect reach(cells);
-  const auto see = [&](std::int32_t ci, std::int32_t cj, std::uint32_t number) {
-    if (!outline.hidden().are(number)) return;
-    const Cell first{ci * kChunkSize, cj * kChunkSize};
+  grid.forEachNumber(cells, [&](std::uint32_t number) {
+    if (!outline.hides(number)) return;
+    const Cell first = grid.cellOfAny(number * kChunkCells);
     visit(
         CellRect{first, {std::min(first.i + kChunkSize - 1, kMaxCell), std::min(first.j + kChunkSize - 1, kMaxCell)}});
-  };
-  if (reach.count() > grid.highest()) {
-    for (std::uint32_t number = 1; number <= grid.highest(); ++number)
-      if (const auto place = grid.placeOf(number); place && reach.contains(place->first, place->second))
-        see(place->first, place->second, number);
-    return;
-  }
-  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) see(ci, cj, grid.numberAt(ci, cj));
+  });
 }
 
 /// The cell of a rectangle that is nearest to a point, and how far it is.
@@ -104,7 +90,7 @@ std::pair<Cell, SquaredDistance> nearestCell(const CellRect& cells, Point p) {
 }
 
 /// Whether a ray meets a closed cell; `at` receives where first.
-bool meets(const Ray& ray, CellIndex cell, Fraction& at) {
+bool meets(const Ray& ray, Cell cell, Fraction& at) {
   Fraction enter{0, 1}, leave{1, 1};
   const auto narrow = [&](std::int64_t from, std::int64_t to, std::int64_t low) {
     const std::int64_t high = low + kUnitsPerCell, length = std::abs(to - from);
@@ -115,9 +101,8 @@ bool meets(const Ray& ray, CellIndex cell, Fraction& at) {
     leave = std::min(leave, Fraction{last, length});
     return true;
   };
-  if (!narrow(ray.from.x, ray.to.x, cell.i * kUnitsPerCell) || !narrow(ray.from.y, ray.to.y, cell.j * kUnitsPerCell) ||
-      leave < enter)
-    return false;
+  const Point low = toWorld(cell, {});
+  if (!narrow(ray.from.x, ray.to.x, low.x) || !narrow(ray.from.y, ray.to.y, low.y) || leave < enter) return false;
   at = enter;
   return true;
 }
@@ -144,7 +129,7 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
   std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);
   for (;; reach = std::min(most, 2 * reach)) {
     grid.forEachCell(cellsWithin(p, reach), [&](CellAt at, Cell) {
-      if (outline.hidden().are(at.chunk->index)) return;
+      if (outline.hides(at.chunk->index)) return;
       for (const std::uint32_t id : outline.lists.of(at).all()) {
         const NearestOnEdge here = nearestOnEdge(endsOf(grid, outline, id), p);
         const auto order = here.squared <=> best.squared;
@@ -156,7 +141,7 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
     });
     if (reach == most || (nearest != kNoSegment && best.squared <= squared(reach))) break;
   }
-  if (outline.hidden().any()) {
+  if (outline.hidesAny()) {
     std::optional<Cell> unseen;
     forEachHidden(grid, outline, cellsWithin(p, reach), [&](const CellRect& chunk) {
       const auto [cell, distance] = nearestCell(chunk, p);
@@ -177,24 +162,20 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
   if (!inRange(from) || !inRange(to) || std::abs(to.x - from.x) > kMax || std::abs(to.y - from.y) > kMax)
     return refuse({.code = ErrorCode::outOfReach});
   const Ray ray{from, to};
-  const auto cellOf = [](CellIndex cell) {
-    return Cell{static_cast<std::int32_t>(cell.i), static_cast<std::int32_t>(cell.j)};
-  };
   Fraction best, unseenAt;
   std::optional<Cell> unseen;  // the first unloaded cell on the way
   std::uint32_t first = kNoSegment;
   walk(
       ray,
-      [&](CellIndex cell) {
-        if (outline.hidden().any() && outline.hidden().are(grid.numberAt(cellOf(cell).i >> 5, cellOf(cell).j >> 5))) {
+      [&](Cell cell) {
+        if (outline.hidesAny() && outline.hides(grid.numberAt(cell.i >> 5, cell.j >> 5))) {
           Fraction at;
-          if (!inRange(cellOf(cell)) || !meets(ray, cell, at) || (unseen && unseenAt <= at)) return;
+          if (!inRange(cell) || !meets(ray, cell, at) || (unseen && unseenAt <= at)) return;
           unseenAt = at;
-          unseen = cellOf(cell);
+          unseen = cell;
           return;
         }
-        const CellAt here = grid.find(cellOf(cell));
-        for (const std::uint32_t id : outline.lists.of(here).all()) {
+        for (const std::uint32_t id : outline.lists.of(grid.find(cell)).all()) {
           Fraction at;
           if (!meets(ray, endsOf(grid, outline, id), at)) continue;
           const auto order = at <=> best;

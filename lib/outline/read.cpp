@@ -74,7 +74,7 @@ std::vector<SegmentId> segmentsIn(const Grid& grid, const Outline& outline, cons
   std::vector<SegmentId> out;
   if (lgs::isEmpty(cells)) return out;
   grid.forEachCell(cells, [&](CellAt at, Cell) {
-    if (outline.hidden().are(at.chunk->index)) return;
+    if (outline.hides(at.chunk->index)) return;
     for (const std::uint32_t id : outline.lists.of(at).all()) out.push_back({id});
   });
   return out;

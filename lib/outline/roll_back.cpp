@@ -37,10 +37,6 @@ void Outline::noteList(CellAt at) {
   if (const CellSegments list = lists.of(at)) note->value = journal_->keep(list.words());
 }
 
-void Outline::noteHidden(std::uint32_t chunk) {
-  if (Note* note = journal_->addOnce(Thing::hidden, chunk)) note->value = hidden_.are(chunk) ? 1 : 0;
-}
-
 /// And the place in the list of free ids that this one gets.
 void Outline::noteRemoved(std::uint32_t id) {
   noteSegment(id);
@@ -78,9 +74,9 @@ void Outline::exchange(const Grid& grid, Journal& journal, Note& note) {
     std::swap(segments.places()[note.key], note.value);
   } else {
     assert(note.thing == Thing::hidden);
-    const bool then = note.value != 0, now = hidden_.are(note.key);
-    note.value = now ? 1 : 0;
-    if (then != now) hidden_.toggle(note.key);
+    const bool then = note.value != 0;
+    note.value = hides(note.key) ? 1 : 0;
+    setHidden(note.key, then);
   }
 }
 

@@ -32,15 +32,21 @@ struct SquaredDistance {
   }
 };
 
-/// How far along a segment its nearest point lies: numerator / denominator in [0, 1].
-struct Along {
+/// How far along a ray or a segment something lies: numerator / denominator, both below 2^62, denominator positive.
+struct Fraction {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
+
+  friend constexpr std::strong_ordering operator<=>(const Fraction& a, const Fraction& b) {
+    return multiply(static_cast<std::uint64_t>(a.numerator), static_cast<std::uint64_t>(b.denominator)) <=>
+           multiply(static_cast<std::uint64_t>(b.numerator), static_cast<std::uint64_t>(a.denominator));
+  }
+  friend constexpr bool operator==(const Fraction& a, const Fraction& b) { return (a <=> b) == 0; }
 };
 
 struct NearestOnEdge {
   SquaredDistance squared;
-  Along along;
+  Fraction along;
 };
 
 /// The nearest point of an edge to p, at most 2^29 away on each axis.
@@ -57,18 +63,6 @@ constexpr NearestOnEdge nearestOnEdge(const SegmentEnds& edge, Point p) {
   const auto magnitude = static_cast<std::uint64_t>(cross < 0 ? -cross : cross);
   return {{multiply(magnitude, magnitude), static_cast<std::uint64_t>(length2)}, {along, length2}};
 }
-
-/// How far along a ray something lies: numerator / denominator, both below 2^62, denominator positive.
-struct Fraction {
-  std::int64_t numerator = 0;
-  std::int64_t denominator = 1;
-
-  friend constexpr std::strong_ordering operator<=>(const Fraction& a, const Fraction& b) {
-    return multiply(static_cast<std::uint64_t>(a.numerator), static_cast<std::uint64_t>(b.denominator)) <=>
-           multiply(static_cast<std::uint64_t>(b.numerator), static_cast<std::uint64_t>(a.denominator));
-  }
-  friend constexpr bool operator==(const Fraction& a, const Fraction& b) { return (a <=> b) == 0; }
-};
 
 struct Ray {
   Point from;

@@ -2,8 +2,8 @@
 // so that a commit can still read its ends.
 #pragma once
 
+#include "geometry/edge.h"
 #include "ground/cell.h"
-#include "ground/edge.h"
 #include "storage/pages.h"
 
 #include <lgs/ids.h>

@@ -13,20 +13,6 @@ using What = SnapshotError::What;
 
 /// Ids as distances from the previous id + 1. That is mostly one byte, and never less. So a short file cannot ask for
 /// many segments.
-class IdWriter {
- public:
-  explicit IdWriter(SnapshotWriter& out) : out_(out) {}
-
-  void write(std::uint32_t id) {
-    out_.number(folded(std::int64_t{id} - last_ - 1));
-    last_ = id;
-  }
-
- private:
-  SnapshotWriter& out_;
-  std::int64_t last_ = 0;
-};
-
 class IdReader {
  public:
   explicit IdReader(SnapshotReader& in) : in_(in) {}
@@ -48,18 +34,11 @@ class IdReader {
   std::int64_t last_ = 0;
 };
 
-template <class Visit>
-void forEachCell(const Ground& ground, Visit&& visit) {
-  ground.grid.forEachChunk([&](Chunk& chunk) {
-    for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) visit(at);
-  });
-}
-
 /// How many segments a ground shows; or more than `most`, if they are more.
 std::uint64_t countShown(const Ground& ground, std::uint64_t most) {
   std::uint64_t shown = 0;
-  forEachCell(ground, [&](CellAt at) {
-    if (shown <= most && ground.contentId(at) != kEmptyContent) shown += Look(ground, at).count();
+  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell) {
+    if (shown <= most && ground.held(at).size() != 0) shown += Look(ground, at).count();
   });
   return shown;
 }
@@ -67,14 +46,18 @@ std::uint64_t countShown(const Ground& ground, std::uint64_t most) {
 }  // namespace
 
 void save(const Ground& ground, const Outline& outline, SnapshotWriter& out) {
-  IdWriter ids(out);
+  std::int64_t last = 0;
+  const auto write = [&](std::span<const std::uint32_t> ids) {
+    for (const std::uint32_t id : ids) {
+      out.number(folded(id - last - 1));
+      last = id;
+    }
+  };
   const std::span<const std::uint32_t> free = outline.segments.free();
   out.number(free.size());
-  for (const std::uint32_t id : free) ids.write(id);
+  write(free);
   out.number(0);  // older libraries have some of the free ones apart
-  forEachCell(ground, [&](CellAt at) {
-    for (const std::uint32_t id : outline.lists.of(at).all()) ids.write(id);
-  });
+  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell) { write(outline.lists.of(at).all()); });
 }
 
 // Each id up to the highest names a segment, or is free.
@@ -95,8 +78,8 @@ void load(const Ground& ground, Outline& outline, SnapshotReader& in) {
   };
   for (const std::uint32_t id : free) see(id);
   outline.load(static_cast<std::uint32_t>(count), std::move(free));
-  forEachCell(ground, [&](CellAt at) {
-    if (in.failed() || ground.contentId(at) == kEmptyContent) return;
+  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell) {
+    if (in.failed() || ground.held(at).size() == 0) return;
     const Look look(ground, at);
     const std::uint32_t here = look.count();
     if (here == 0) return;

@@ -1,16 +1,17 @@
-// An index from 64-bit hashes to the numbers of things that are stored elsewhere: polygons, contents, chunks. It uses
-// open addressing with linear probing. The number of places is a power of two; at most half of them are taken, and at
-// least an eighth. Edits look things up all the time. Here that touches one cache line, while std::unordered_map
-// follows pointers.
+// An index from 64-bit hashes to the numbers of things that are stored elsewhere: polygons, contents, chunks, notes. It
+// uses open addressing with linear probing. The number of places is a power of two; at most three quarters of them are
+// taken, and, if they are many, at least an eighth. Edits look things up all the time. Here that touches one cache line,
+// while std::unordered_map follows pointers.
 //
-// An index can not be iterated over, so no order that is given out depends on where things are in it. That is why each
-// index may have a seed of its own: hashes begin with it. Otherwise a stranger could choose chunks or polygons that all
-// have the same place, and a small file would take long to load. It is no secret that withstands more than that.
+// An index can not be iterated over, so no order that is given out depends on where things are in it. That is why its
+// hashes may begin with a seed. Otherwise a stranger could choose chunks or polygons that all have the same place, and a
+// small file would take long to load. It is no secret that withstands more than that.
 #pragma once
 
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace lgs::detail {
@@ -29,76 +30,73 @@ std::uint64_t anySeed(const void* where);
 
 class HashIndex {
  public:
-  HashIndex() : HashIndex(this) {}
-  /// `where` is an object that is there already: of an index on the stack compilers think that it is read.
-  explicit HashIndex(const void* where) : seed_(anySeed(where)) {}
+  /// Of several things with one hash `matches(number)` says which is meant. By default nothing else has that hash.
+  struct Any {
+    bool operator()(std::uint64_t /*number*/) const { return true; }
+  };
 
-  /// What the hashes of this index begin with. A copy has the same.
-  std::uint64_t seed() const { return seed_; }
-
-  static constexpr std::uint32_t kNone = 0xffff'ffff;
-
-  /// The number that was inserted with this hash and for which `matches(number)` holds, or kNone.
-  template <class Matches>
-  std::uint32_t find(std::uint64_t hash, Matches&& matches) const {
-    if (places_.empty()) return kNone;
-    for (std::size_t at = home(hash);; at = (at + 1) & mask()) {
-      const Place& place = places_[at];
-      if (place.number == kNone) return kNone;
-      if (place.hash == hash && matches(place.number)) return place.number;
-    }
+  /// 0 if there is none.
+  template <class Matches = Any>
+  std::uint64_t find(std::uint64_t hash, Matches&& matches = {}) const {
+    return places_.empty() ? 0 : places_[placeOf(hash, matches)].number;
   }
 
-  /// Adds a number that is not there yet.
-  void insert(std::uint64_t hash, std::uint32_t number) {
-    if (2 * (count_ + 1) > places_.size()) resize(places_.empty() ? kLeast : 2 * places_.size());
-    place({number, hash});
-    ++count_;
+  /// The number is not 0. Returns the one that it displaces; 0 if it is one more.
+  template <class Matches = Any>
+  std::uint64_t set(std::uint64_t hash, std::uint64_t number, Matches&& matches = {}) {
+    assert(number != 0);
+    if (4 * (count_ + 1) > 3 * places_.size()) resize(places_.empty() ? kLeast : 2 * places_.size());
+    Place& place = places_[placeOf(hash, matches)];
+    count_ += place.number == 0;
+    place.hash = hash;
+    return std::exchange(place.number, number);
   }
 
-  /// Removes a number that is there, and closes the gap that it leaves (Knuth, TAOCP 3, 6.4, Algorithm R).
-  void erase(std::uint64_t hash, std::uint32_t number) {
-    std::size_t gap = home(hash);
-    for (; places_[gap].number != number; gap = (gap + 1) & mask()) assert(places_[gap].number != kNone);
-    for (std::size_t at = (gap + 1) & mask(); places_[at].number != kNone; at = (at + 1) & mask()) {
-      const std::size_t first = home(places_[at].hash);
-      if (((at - first) & mask()) < ((at - gap) & mask())) continue;
+  /// Removes what is there, and closes the gap that it leaves (Knuth, TAOCP 3, 6.4, Algorithm R).
+  template <class Matches = Any>
+  void erase(std::uint64_t hash, Matches&& matches = {}) {
+    std::size_t gap = placeOf(hash, matches);
+    assert(places_[gap].number != 0);
+    for (std::size_t at = (gap + 1) & mask(); places_[at].number != 0; at = (at + 1) & mask()) {
+      if (((at - home(places_[at].hash)) & mask()) < ((at - gap) & mask())) continue;
       places_[gap] = places_[at];
       gap = at;
     }
     places_[gap] = Place{};
     --count_;
-    if (places_.size() > kLeast && 8 * count_ < places_.size()) resize(places_.size() / 2);
+    if (places_.size() > kFew && 8 * count_ < places_.size()) resize(places_.size() / 2);
   }
 
+  std::size_t count() const { return count_; }
   std::uint64_t bytes() const { return places_.capacity() * sizeof(Place); }
 
  private:
   struct Place {
-    std::uint32_t number = kNone;
     std::uint64_t hash = 0;
+    std::uint64_t number = 0;
   };
-
-  static constexpr std::size_t kLeast = 16;  ///< places, if there are any
+  static constexpr std::size_t kLeast = 16;   ///< places, if there are any
+  static constexpr std::size_t kFew = 1'024;  ///< so many are kept, since groups of edits come and go
 
   std::size_t mask() const { return places_.size() - 1; }
   /// The first place for a hash.
   std::size_t home(std::uint64_t hash) const { return static_cast<std::size_t>(hash) & mask(); }
-
-  void place(const Place& entry) {
-    std::size_t at = home(entry.hash);
-    while (places_[at].number != kNone) at = (at + 1) & mask();
-    places_[at] = entry;
+  /// Where a thing is, or where there is room for it.
+  template <class Matches>
+  std::size_t placeOf(std::uint64_t hash, Matches& matches) const {
+    std::size_t at = home(hash);
+    while (places_[at].number != 0 && !(places_[at].hash == hash && matches(places_[at].number)))
+      at = (at + 1) & mask();
+    return at;
   }
-
   void resize(std::size_t places) {
     std::vector<Place> old(places);
     old.swap(places_);
-    for (const Place& entry : old)
-      if (entry.number != kNone) place(entry);
+    const auto isOther = [](std::uint64_t /*number*/) { return false; };
+    for (const Place& place : old)
+      if (place.number != 0) places_[placeOf(place.hash, isOther)] = place;
   }
 
-  std::uint64_t seed_;
   std::vector<Place> places_;
   std::size_t count_ = 0;
 };

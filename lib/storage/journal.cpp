@@ -1,6 +1,6 @@
 #include "storage/journal.h"
 
-#include "storage/held_bytes.h"
+#include "storage/vectors.h"
 
 #include <cassert>
 #include <set>
@@ -28,35 +28,35 @@ std::span<const Note> Journal::upTo(Moment moment) const {
 
 Note& Journal::add(Thing thing, std::uint32_t key) {
   assert(isOn());
-  const std::uint64_t before = newest_.set(keyOf(thing, key), latest_);
+  const std::uint64_t before = newest_.set(hashOf(thing, key), latest_);
   return notes_.emplace_back(Note{.before = before, .key = key, .thing = thing});
 }
 
 /// A note is undone: its thing is noted last where it was before this.
 void Journal::takeBack(const Note& note) {
-  const std::uint64_t key = keyOf(note.thing, note.key);
+  const std::uint64_t hash = hashOf(note.thing, note.key);
   if (note.before < places_.front().moment)
-    newest_.erase(key);
+    newest_.erase(hash);
   else
-    newest_.set(key, note.before);
+    newest_.set(hash, note.before);
 }
 
 void Journal::addUndone(const Note& note) {
   undone_.push_back(note);
   if (note.thing != Thing::cell) return;
-  const std::uint64_t key = keyOf(note.thing, note.key);
-  timesUndone_.set(key, timesUndone_.find(key) + 1);
+  const std::uint64_t hash = hashOf(note.thing, note.key);
+  timesUndone_.set(hash, timesUndone_.find(hash) + 1);
 }
 
 Note Journal::takeUndone() {
   const Note note = undone_.back();
   undone_.pop_back();
   if (note.thing != Thing::cell) return note;
-  const std::uint64_t key = keyOf(note.thing, note.key), times = timesUndone_.find(key);
+  const std::uint64_t hash = hashOf(note.thing, note.key), times = timesUndone_.find(hash);
   if (times == 1)
-    timesUndone_.erase(key);
+    timesUndone_.erase(hash);
   else
-    timesUndone_.set(key, times - 1);
+    timesUndone_.set(hash, times - 1);
   return note;
 }
 
@@ -75,23 +75,23 @@ void Journal::stop() {
   twice_ = dropped_ = 0;
   if (notes_.capacity() > kFew || newest_.bytes() > kFew * sizeof(Note)) {
     notes_ = std::vector<Note>();
-    newest_ = Newest();
+    newest_ = HashIndex();
     words_ = RecordArena();
   }
   notes_.clear();
 }
 
 bool Journal::isValid() const {
-  std::set<std::uint64_t> keys;
-  for (const Note& note : std::span(notes_).subspan(dropped_)) keys.insert(keyOf(note.thing, note.key));
-  for (const std::uint64_t key : keys)
-    if (newest_.find(key) < places_.front().moment) return false;
+  std::set<std::uint64_t> hashes;
+  for (const Note& note : notes()) hashes.insert(hashOf(note.thing, note.key));
+  for (const std::uint64_t hash : hashes)
+    if (newest_.find(hash) < places_.front().moment) return false;
   const auto isInOrder = [](const Place& a, const Place& b) { return a.moment < b.moment && a.begin <= b.begin; };
   for (const Note& note : undone_)
-    if (note.thing == Thing::cell && timesUndone_.find(keyOf(note.thing, note.key)) == 0) return false;
+    if (note.thing == Thing::cell && timesUndone_.find(hashOf(note.thing, note.key)) == 0) return false;
   for (std::size_t k = 1; k < places_.size(); ++k)
     if (!isInOrder(places_[k - 1], places_[k])) return false;
-  return newest_.count() == keys.size() && latest_ == (places_.empty() ? 0 : places_.back().moment) &&
+  return newest_.count() == hashes.size() && latest_ == (places_.empty() ? 0 : places_.back().moment) &&
          (places_.empty() || places_.front().begin == dropped_);
 }
 

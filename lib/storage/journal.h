@@ -14,9 +14,9 @@
 // an old mark with many notes behind it costs no later edit anything.
 #pragma once
 
-#include "storage/newest.h"
-#include "storage/owned.h"
+#include "storage/hash_index.h"
 #include "storage/record_arena.h"
+#include "storage/vectors.h"
 
 #include <lgs/world.h>
 
@@ -79,7 +79,7 @@ class Journal {
 
   /// Whether a thing was noted since a moment that is there.
   bool isNotedSince(Moment moment, Thing thing, std::uint32_t key) const {
-    return newest_.find(keyOf(thing, key)) >= moment;
+    return newest_.find(hashOf(thing, key)) >= moment;
   }
   /// Whether it was since the latest one. Then no note is needed.
   bool isNoted(Thing thing, std::uint32_t key) const {
@@ -88,8 +88,8 @@ class Journal {
   }
   /// Whether there is a note of a cell, undone or not.
   bool isCellNoted(std::uint32_t ref) const {
-    const std::uint64_t key = keyOf(Thing::cell, ref);
-    return newest_.find(key) != 0 || timesUndone_.find(key) != 0;
+    const std::uint64_t hash = hashOf(Thing::cell, ref);
+    return newest_.find(hash) != 0 || timesUndone_.find(hash) != 0;
   }
   /// Before a thing changes that is not noted: the caller says what it holds.
   Note& add(Thing thing, std::uint32_t key);
@@ -99,20 +99,12 @@ class Journal {
   /// moment, displaced a note of before it.
   std::span<const Note> since(Moment moment) const { return std::span(notes_).subspan(places_[indexOf(moment)].begin); }
 
-  /// Calls visit(note) for each that is there, undone or not.
-  template <class Visit>
-  void forEach(Visit&& visit) const {
-    for (const Note& note : std::span(notes_).subspan(dropped_)) visit(note);
-    for (const Note& note : undone_) visit(note);
-  }
-  template <class Visit>
-  void forEach(Visit&& visit, bool withUndone) {
-    for (Note& note : std::span(notes_).subspan(dropped_)) visit(note);
-    if (!withUndone) return;
-    for (Note& note : undone_) visit(note);
-  }
+  /// All that are there.
+  std::span<const Note> notes() const { return std::span(notes_).subspan(dropped_); }
+  std::span<Note> notes() { return std::span(notes_).subspan(dropped_); }
   /// What was undone and can come back, the first to come back last.
   std::span<const Note> undone() const { return undone_; }
+  std::span<Note> undone() { return undone_; }
   /// Whether moments and notes are in order.
   bool isValid() const;
 
@@ -151,8 +143,9 @@ class Journal {
     std::uint32_t users = 1;
   };
 
-  static std::uint64_t keyOf(Thing thing, std::uint32_t key) {
-    return (std::uint64_t{static_cast<std::uint8_t>(thing)} + 1) << 32 | key;
+  /// No two things have the same one.
+  std::uint64_t hashOf(Thing thing, std::uint32_t key) const {
+    return mix(seed_, std::uint64_t{static_cast<std::uint8_t>(thing)} << 32 | key);
   }
   std::size_t indexOf(Moment moment) const;
   std::size_t endOf(std::size_t place) const {
@@ -172,13 +165,14 @@ class Journal {
   std::vector<Place> places_;  ///< by moment
   Moment latest_ = 0;          ///< 0 if there is none
   Moment last_ = 0;            ///< that was given out
-  Newest newest_;              ///< of each thing that is noted, the moment after which it was noted last
-  std::size_t twice_ = 0;      ///< at most so many notes are of things that are noted before, with no moment in between
+  std::uint64_t seed_ = anySeed(this);
+  HashIndex newest_;       ///< of each thing that is noted, the moment after which it was noted last
+  std::size_t twice_ = 0;  ///< at most so many notes are of things that are noted before, with no moment in between
   RecordArena words_;
   // What was undone and can come back, the first to come back last.
   std::vector<Note> undone_;
   std::vector<Place> ahead_;
-  Newest timesUndone_;  ///< of each cell that they are of: how many they are
+  HashIndex timesUndone_;  ///< of each cell that they are of: how many they are
 };
 
 template <class Drop>
@@ -203,9 +197,9 @@ template <class Drop>
 void Journal::dropOldest(std::size_t end, Drop&& drop) {
   for (; dropped_ < end; ++dropped_) {
     const Note& note = notes_[dropped_];
-    const std::uint64_t key = keyOf(note.thing, note.key);
-    const Moment noted = newest_.find(key);
-    if (noted != 0 && (places_.empty() || noted < places_.front().moment)) newest_.erase(key);
+    const std::uint64_t hash = hashOf(note.thing, note.key);
+    const Moment noted = newest_.find(hash);
+    if (noted != 0 && (places_.empty() || noted < places_.front().moment)) newest_.erase(hash);
     drop(note);
   }
   if (places_.empty()) return stop();
@@ -278,7 +272,7 @@ template <class Drop>
 void Journal::forgetUndone(Drop&& drop) {
   for (const Note& note : undone_) drop(note);
   undone_ = std::vector<Note>();
-  timesUndone_ = Newest();
+  timesUndone_ = HashIndex();
   ahead_.clear();
 }
 

@@ -4,7 +4,7 @@
 // pages. Where there are none nothing is lost.
 #pragma once
 
-#include "storage/owned.h"
+#include "storage/vectors.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,10 +1,10 @@
 #include "world/history.h"
 
 #include "geometry/sort.h"
-#include "storage/held_bytes.h"
-#include "storage/owned.h"
+#include "storage/vectors.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <iterator>
 #include <utility>
@@ -48,7 +48,7 @@ Mark History::mark(Of of) {
   const Mark mark{numbers_.next()};  // greater than all before, also in a copy
   if (committed_ != 0) ground_.journal.hold(committed_);
   marks_.push_back({mark, of, ground_.journal.begin(), committed_, ground_.catalogue.shapeCount(), outline_.state(),
-                    isOfGroup ? Ground::ChangedCells() : ground_.changedCells()});
+                    isOfGroup ? std::vector<Ground::ChangedCells>() : ground_.changedCells()});
   return mark;
 }
 
@@ -168,19 +168,15 @@ void History::travel(const Marked& to, bool isFromRedo, const std::vector<std::u
   outline_.setState(to.outline);
   changes = {};
   const bool isStreamed = to.changed.empty() && showStreamed();
-  if (isStreamed) {  // what is not noted was until then as it was before
-    const auto take = [&](const std::vector<SegmentId>& of, std::vector<SegmentId>& into) {
-      std::ranges::copy_if(of, std::back_inserter(into),
+  constexpr std::array kLists{&Changes::removed, &Changes::added, &Changes::relinked};
+  for (const auto list : kLists)  // what is not noted was until then as it was before
+    if (isStreamed)
+      std::ranges::copy_if(outline_.changes().*list, std::back_inserter(changes.*list),
                            [&](SegmentId id) { return !std::ranges::binary_search(ids, id.value); });
-    };
-    take(outline_.changes().removed, changes.removed);
-    take(outline_.changes().added, changes.added);
-    take(outline_.changes().relinked, changes.relinked);
-  }
   outline_.compare(ground_.grid, ids, before, changes);
   if (isStreamed && !outline_.hasShownChange()) outline_.setVersion(to.outline.version);  // rims woke, or fell asleep
-  if (isStreamed)
-    for (auto* list : {&changes.removed, &changes.added, &changes.relinked}) detail::sort(*list);
+  for (const auto list : kLists)
+    if (isStreamed) detail::sort(changes.*list);
   changes.before = versionBefore_ = version;
   changes.after = outline_.version();
 }

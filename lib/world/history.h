@@ -99,7 +99,7 @@ class History {
     Moment committed = 0;  ///< the last commit before it that followers saw, held by it; 0 without followers
     std::uint64_t shapes = 0;
     Outline::State outline;
-    Ground::ChangedCells changed;  ///< of a game's mark
+    std::vector<Ground::ChangedCells> changed;  ///< of a game's mark
   };
 
   std::vector<Marked>::const_iterator find(Mark mark) const;

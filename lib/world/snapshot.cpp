@@ -4,6 +4,7 @@
 #include "outline/snapshot.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace lgs::detail {
@@ -100,37 +101,26 @@ tl::expected<Cell, SnapshotError> loadChunk(std::span<const std::byte> bytes, Gr
 namespace lgs {
 
 std::string message(const SnapshotError& error) {
-  const auto what = [&]() -> std::string {
-    switch (error.what) {
-      case SnapshotError::What::notASnapshot:
-        return "this is no snapshot of a world";
-      case SnapshotError::What::unknownVersion:
-        return "the snapshot has version " + std::to_string(error.version) +
-               " of its format, and this library reads versions from 1 to " + std::to_string(error.newest);
-      case SnapshotError::What::cut:
-        return "the snapshot ends too early";
-      case SnapshotError::What::damaged:
-        return "the snapshot is damaged, or cut: its checksum does not fit";
-      case SnapshotError::What::tooLong:
-        return "bytes follow the end of the snapshot";
-      case SnapshotError::What::relation:
-        return "the world was saved with another preserve relation than it is loaded with";
-      case SnapshotError::What::badNumber:
-        return "a number is out of its range";
-      case SnapshotError::What::badPolygon:
-        return "a polygon is not valid, or overlaps another one of its cell";
-      case SnapshotError::What::badSegments:
-        return "the ids of the segments do not fit this world";
-      case SnapshotError::What::capacity:
-        return "more than a world can hold";
-      case SnapshotError::What::loaded:
-        return "the chunk is there, and not unloaded";
-      case SnapshotError::What::otherBytes:
-        return "the chunk was unloaded with other bytes than these since";
-    }
-    return "unknown error";
-  };
-  return "byte " + std::to_string(error.offset) + ": " + what();
+  static constexpr std::array kWords{"this is no snapshot of a world",
+                                     "the snapshot has version ",
+                                     "the snapshot ends too early",
+                                     "the snapshot is damaged, or cut: its checksum does not fit",
+                                     "bytes follow the end of the snapshot",
+                                     "the world was saved with another preserve relation than it is loaded with",
+                                     "a number is out of its range",
+                                     "a polygon is not valid, or overlaps another one of its cell",
+                                     "the ids of the segments do not fit this world",
+                                     "more than a world can hold",
+                                     "the chunk is there, and not unloaded",
+                                     "the chunk was unloaded with other bytes than these since"};
+  static_assert(kWords.size() == static_cast<std::size_t>(SnapshotError::What::otherBytes) + 1);
+  const auto number = static_cast<std::size_t>(error.what);
+  std::string text = "byte " + std::to_string(error.offset) + ": ";
+  text += number < kWords.size() ? kWords[number] : "unknown error";
+  if (error.what == SnapshotError::What::unknownVersion)
+    text += std::to_string(error.version) + " of its format, and this library reads versions from 1 to " +
+            std::to_string(error.newest);
+  return text;
 }
 
 }  // namespace lgs

@@ -24,8 +24,8 @@ class Validation {
     });
     for (std::uint32_t number = 1; number <= ground_.grid.highest(); ++number)
       if (const Border* border = ground_.grid.border(number)) lookAtBorder(number, *border);
-    ground_.forEachNotedContent([&](ContentId content) { use(content); });
-    ground_.journal.forEach([&](const Note& note) { lookAtNote(note); });
+    for (const auto notes : {ground_.journal.notes(), ground_.journal.undone()})
+      for (const Note& note : notes) lookAtNote(note);
     lookAtUsers();
     lookAtIds();
     assert(ground_.journal.isValid());
@@ -35,7 +35,7 @@ class Validation {
   void lookAtChunk([[maybe_unused]] const Chunk& chunk) const {
     assert(&ground_.grid.chunk(chunk.index) == &chunk && chunk.self() == &chunk);
     assert(chunk.isUnloaded == (ground_.grid.border(chunk.index) != nullptr));
-    assert(outline_.hidden().are(chunk.index) == chunk.isUnloaded);
+    assert(outline_.hides(chunk.index) == chunk.isUnloaded);
     assert(chunk.dirtyRows == 0);
     for (std::int32_t k = 0; k < 9; ++k) {
       const std::int32_t di = k % 3 - 1, dj = k / 3 - 1;
@@ -49,27 +49,27 @@ class Validation {
     assert(border.isRimInChunk == border.runs.empty());
     assert(border.isRimInChunk || ground_.grid.stateOf(number) == ChunkState::asleep);
     assert(std::ranges::is_sorted(border.kept, {}, &Border::Kept::local));
-    for (const Border::Run& run : border.runs) use(ground_.contentOf(run.word));
-    for (const Border::Kept& kept : border.kept) use(ground_.contentOf(kept.word));
+    for (const Border::Run& run : border.runs) use(ground_.held(run.word).content());
+    for (const Border::Kept& kept : border.kept) use(ground_.held(kept.word).content());
   }
 
   /// Of an unloaded chunk each cell is known that there is a note of.
-  void lookAtNote(const Note& note) const {
+  void lookAtNote(const Note& note) {
     if (note.thing != Thing::cell) return;
+    use(ground_.held(note).content());
     if ([[maybe_unused]] const Border* border = ground_.grid.border(note.key / kChunkCells))
       assert(std::ranges::binary_search(border->kept, note.key % kChunkCells, {}, &Border::Kept::local));
   }
 
   void lookAtCell(CellAt at) {
-    const ContentId id = ground_.contentId(at);
-    use(id);
-    const Content& content = ground_.catalogue.content(id);
+    const Held held = ground_.held(at);
+    use(held.content());
+    [[maybe_unused]] const Content& content = ground_.content(at);
+    assert(held.size() == content.polygons.size());
     assert(at.chunk->facts[at.local] == content.facts && (content.facts & ~at.chunk->everFacts) == 0);
     assert(at.word() == 0 || inRange(at.cell()));
-    for (std::size_t slot = 0; slot < content.polygons.size(); ++slot) {
-      [[maybe_unused]] const std::uint32_t serial = ground_.placed(at)[static_cast<Slot>(slot)].serial;
-      assert(serial != 0 && serial <= ground_.lastSerial(at));
-    }
+    for (std::size_t slot = 0; slot < held.size(); ++slot)
+      assert(held[slot].serial != 0 && held[slot].serial <= held.lastSerial());
   }
 
   /// Each is alive, and says where it is; its links lead to segments that are alive, and back.

@@ -146,13 +146,10 @@ Expected<std::vector<std::span<const LocalPoint>>> World::polygonsOf(ShapeId sha
 Expected<LocalBox> World::boundingBox(ShapeId shape) const noexcept {
   const auto all = polygonsOf(shape);
   if (!all) return refuse(all.error());
-  LocalBox box{all->front().front(), all->front().front()};
-  for (const auto polygon : *all) {
-    const detail::Box<LocalPoint> one = detail::boundingBox(polygon);
-    box.min = {std::min(box.min.x, one.min.x), std::min(box.min.y, one.min.y)};
-    box.max = {std::max(box.max.x, one.max.x), std::max(box.max.y, one.max.y)};
-  }
-  return box;
+  std::vector<LocalPoint> vertices;
+  for (const auto polygon : *all) vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+  const auto [min, max] = detail::boundingBox(vertices);
+  return LocalBox{min, max};
 }
 
 // --- Edits
@@ -356,7 +353,7 @@ void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const noexcept 
 }
 bool World::isEmpty(Cell cell) const noexcept {
   const detail::CellAt at = impl_->ground.grid.find(cell);
-  return !at || at.chunk->isUnloaded || impl_->ground.contentId(at) == detail::kEmptyContent;
+  return !at || at.chunk->isUnloaded || impl_->ground.held(at).size() == 0;
 }
 void World::forEachPolygon(const PolygonVisitor& visit) const noexcept { forEachPolygon(detail::kWholeWorld, visit); }
 void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const noexcept {
@@ -365,10 +362,7 @@ void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) c
 std::optional<CellRect> World::bounds() const noexcept { return boundsOf(impl_->ground); }
 Spot World::at(Point point) const noexcept { return spotAt(impl_->ground, point); }
 
-Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const noexcept {
-  if (const auto found = polygonOf(impl_->ground, handle)) return *found;
-  return refuse(impl_->ground.noPolygon(handle));
-}
+Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const noexcept { return polygonOf(impl_->ground, handle); }
 
 Expected<Cell> World::cellOf(PolygonHandle handle) const noexcept {
   return polygon(handle).map([&](const PlacedPolygon&) { return impl_->ground.grid.cellOf(handle.cellRef); });

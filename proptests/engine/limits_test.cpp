@@ -170,22 +170,24 @@ TEST(HashIndex, KeepsApartWhatHasTheSameHash) {
   for (std::int64_t round = 0; round < scaled(200); ++round) {
     Random random(static_cast<std::uint64_t>(round));
     detail::HashIndex index;
-    std::map<std::uint32_t, std::uint64_t> hashOf;  // of the numbers that are there
+    std::map<std::uint64_t, std::uint64_t> hashOf;  // of the numbers that are there
+    const auto is = [](std::uint64_t number) { return [number](std::uint64_t n) { return n == number; }; };
     const std::uint64_t hashes = 1 + random.below(9U);
-    for (std::uint32_t number = 0; number < 60; ++number) {
+    for (std::uint64_t number = 1; number <= 60; ++number) {
       const std::uint64_t hash = std::uint64_t{random.below(static_cast<std::uint32_t>(hashes))} << random.below(5);
-      index.insert(hash, number);
+      ASSERT_EQ(index.set(hash, number, is(number)), 0U);
       hashOf.emplace(number, hash);
       while (!hashOf.empty() && random.chance(45)) {
         const auto gone = std::next(hashOf.begin(), random.below(static_cast<int>(hashOf.size())));
-        index.erase(gone->second, gone->first);
+        index.erase(gone->second, is(gone->first));
         hashOf.erase(gone);
       }
-      for (std::uint32_t n = 0; n <= number; ++n) {
+      ASSERT_EQ(index.count(), hashOf.size());
+      for (std::uint64_t n = 1; n <= number; ++n) {
         const auto there = hashOf.find(n);
         for (std::uint64_t h = 0; h < hashes; ++h) {
           const bool isThere = there != hashOf.end() && there->second == h;
-          ASSERT_EQ(index.find(h, [&](std::uint32_t m) { return m == n; }), isThere ? n : detail::HashIndex::kNone);
+          ASSERT_EQ(index.find(h, is(n)), isThere ? n : 0U);
         }
       }
     }

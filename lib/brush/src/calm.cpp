@@ -1,6 +1,7 @@
 #include "calm.h"
 
 #include "geometry/predicates.h"
+#include "rim.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,11 +25,6 @@ bool crosses(const Side& side, const Segment& part) {
 /// Whether a side is the piece of a chain that this part of the region's edge becomes. Both are cut at all known points.
 bool isChainOf(const Side& side, const Segment& part) {
   return (part.start == side.low && part.end == side.high) || (part.start == side.high && part.end == side.low);
-}
-
-bool isOnRim(const Side& s) {
-  const auto isEnd = [](std::int64_t v) { return v == 0 || v == kUnitsPerCell; };
-  return (s.low.x == s.high.x && isEnd(s.low.x)) || (s.low.y == s.high.y && isEnd(s.low.y));
 }
 
 /// The region through the known points of a cell, together with the outlines of groups as they are.
@@ -69,8 +65,9 @@ class RoundedRegion {
     const bool isFilledLeft = isFilled(left.winding), isFilledRight = isFilled(right.winding);
     const bool isInside = side.isLeft ? isFilledLeft : isFilledRight, isOutline = isFilledLeft != isFilledRight;
     if (isInside && ground_.groups[side.area] == kNoGroup) return false;
-    return isOnRim(side) || (isOutline ? isFreeOutline(side, isInside, (isFilledLeft ? right : left).group)
-                                       : isFreeLine(side, isInside));
+    return runsAlongRim(side.low, side.high) ||
+           (isOutline ? isFreeOutline(side, isInside, (isFilledLeft ? right : left).group)
+                      : isFreeLine(side, isInside));
   }
 
   List<Atom> atoms() && { return std::move(atoms_); }

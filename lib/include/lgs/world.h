@@ -64,7 +64,7 @@ struct Stats {
   std::uint64_t shapes = 0;    ///< made so far
   std::uint64_t contents = 0;  ///< distinct contents of cells; those that no cell has are forgotten in time
   std::uint64_t chunks = 0;    ///< of 32×32 cells, ever touched by an edit, and not forgotten
-  std::uint64_t bytes = 0;     ///< allocated, with spare capacity; an estimate for the index of shapes
+  std::uint64_t bytes = 0;     ///< allocated, with spare capacity; an estimate for unloaded chunks
 };
 
 class Transaction;
@@ -261,7 +261,7 @@ class World {
   //
   // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no
   // wall appears where the loaded world ends. For that the outermost cells of an unloaded chunk stay known. They take
-  // 12 bytes for each row of equal ones among these 124, and some 60 more.
+  // 12 bytes for each row of equal ones among these 124, and some 150 more.
   //
   // In an unloaded chunk every edit is refused (ErrorCode::unloaded); so are handles of its polygons, and they are
   // valid again when it is back from its bytes. Questions that would have to look there return that. Whatever lists or

@@ -8,27 +8,14 @@
 namespace lgs::pieces {
 namespace {
 
-bool isOn(LocalPoint p, int side) {
-  switch (side) {
-    case 0:
-      return p.y == 0;
-    case 1:
-      return p.x == kUnitsPerCell;
-    case 2:
-      return p.y == kUnitsPerCell;
-    default:
-      return p.x == 0;
-  }
-}
-
 /// The sides that the edges of a piece lie on: at most one edge on each, since no three vertices are on a line.
-void addOpenings(std::array<std::vector<Opening>, kSides>& openings, const Ring& ring, Index piece) {
+void addOpenings(std::array<std::vector<Opening>, detail::kSides>& openings, const Ring& ring, Index piece) {
   LocalPoint a = ring.back();
   for (const LocalPoint b : ring) {
-    for (int side = 0; side < kSides; ++side) {
-      if (!isOn(a, side) || !isOn(b, side)) continue;
-      const auto [low, high] = side % 2 == 0 ? std::minmax({a.x, b.x}) : std::minmax({a.y, b.y});
-      openings[static_cast<std::size_t>(side)].push_back({low, high, piece});
+    for (unsigned side = 0; side < detail::kSides; ++side) {
+      const auto [low, high] = std::minmax({detail::along(side, a), detail::along(side, b)});
+      if (a == detail::pointAt(side, detail::along(side, a)) && b == detail::pointAt(side, detail::along(side, b)))
+        openings[side].push_back({low, high, piece});
     }
     a = b;
   }

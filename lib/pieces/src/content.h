@@ -2,6 +2,7 @@
 #pragma once
 
 #include "convex.h"
+#include "geometry/edge.h"
 
 #include <lgs/pieces.h>
 
@@ -18,21 +19,17 @@ struct Opening {
   Index piece = 0;
 };
 
-/// Sides are counted counter-clockwise from the south.
-inline constexpr int kSides = 4;
-constexpr int oppositeSide(int side) { return (side + 2) % kSides; }
-
 struct Content {
   Content(std::span<const Ring> polygons, std::size_t maxVertices);
   Content(const Content&) = delete;
   Content& operator=(const Content&) = delete;
   ~Content() = default;
 
-  ConvexParts parts;                                  ///< what the pieces' spans are of
-  std::vector<Piece> solid;                           ///< by polygon
-  std::vector<Piece> free;                            ///< contacts count in these
-  std::vector<Contact> contacts;                      ///< of free pieces
-  std::array<std::vector<Opening>, kSides> openings;  ///< by their low ends
+  ConvexParts parts;                                          ///< what the pieces' spans are of
+  std::vector<Piece> solid;                                   ///< by polygon
+  std::vector<Piece> free;                                    ///< contacts count in these
+  std::vector<Contact> contacts;                              ///< of free pieces
+  std::array<std::vector<Opening>, detail::kSides> openings;  ///< by side, and their low ends
 };
 
 bool samePieces(const Content& a, const Content& b);

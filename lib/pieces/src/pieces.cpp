@@ -13,34 +13,10 @@ namespace lgs {
 namespace {
 
 using pieces::Content;
-using pieces::kSides;
 using pieces::Opening;
 
-Cell neighbourOf(Cell cell, int side) {
-  switch (side) {
-    case 0:
-      return {cell.i, cell.j - 1};
-    case 1:
-      return {cell.i + 1, cell.j};
-    case 2:
-      return {cell.i, cell.j + 1};
-    default:
-      return {cell.i - 1, cell.j};
-  }
-}
-
-LocalPoint pointOn(int side, std::int32_t along) {
-  switch (side) {
-    case 0:
-      return {along, 0};
-    case 1:
-      return {kUnitsPerCell, along};
-    case 2:
-      return {along, kUnitsPerCell};
-    default:
-      return {0, along};
-  }
-}
+/// From a cell to the one across a side.
+constexpr std::array<Cell, detail::kSides> kSteps{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
 /// Whether a convex polygon has a point, its rim included.
 bool has(std::span<const LocalPoint> polygon, LocalPoint p) {
@@ -53,13 +29,13 @@ bool has(std::span<const LocalPoint> polygon, LocalPoint p) {
 }
 
 /// The ways of a piece across one side, to the neighbour's openings on its opposite side.
-void addAcross(const Opening& here, int side, Cell cell, std::span<const Opening> openings, Cell neighbour,
+void addAcross(const Opening& here, unsigned side, Cell cell, std::span<const Opening> openings, Cell neighbour,
                std::vector<Portal>& out) {
-  const bool runsUp = side < 2;  // counter-clockwise, the south and the east side run to higher coordinates
+  const bool runsUp = detail::runsForward(side);
   for (const Opening& there : openings) {
     const std::int32_t low = std::max(here.low, there.low), high = std::min(here.high, there.high);
     if (low >= high) continue;
-    const Point lower = toWorld(cell, pointOn(side, low)), upper = toWorld(cell, pointOn(side, high));
+    const Point lower = toWorld(cell, detail::pointAt(side, low)), upper = toWorld(cell, detail::pointAt(side, high));
     out.push_back({{neighbour, there.piece}, runsUp ? lower : upper, runsUp ? upper : lower});
   }
 }
@@ -147,11 +123,11 @@ void Pieces::portals(PieceId piece, std::vector<Portal>& out) const noexcept {
                        [](const auto& a, const auto& b) { return a.piece < b.piece; });
   for (auto c = begin; c != end; ++c)
     out.push_back({{piece.cell, c->other}, toWorld(piece.cell, c->from), toWorld(piece.cell, c->to)});
-  for (int side = 0; side < kSides; ++side) {
-    const Cell neighbour = neighbourOf(piece.cell, side);
+  for (unsigned side = 0; side < detail::kSides; ++side) {
+    const Cell neighbour{piece.cell.i + kSteps[side].i, piece.cell.j + kSteps[side].j};
     if (!inRange(neighbour)) continue;
-    const auto& openings = impl_->contentOf(neighbour).openings[static_cast<std::size_t>(pieces::oppositeSide(side))];
-    for (const Opening& here : content.openings[static_cast<std::size_t>(side)])
+    const auto& openings = impl_->contentOf(neighbour).openings[detail::opposite(side)];
+    for (const Opening& here : content.openings[side])
       if (here.piece == piece.index) addAcross(here, side, piece.cell, openings, neighbour, out);
   }
 }

@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::int32_t kInChunk = 31;  ///< the bits of an index that say where in its chunk it is
 
-std::int32_t inWorld(std::int64_t index) {
-  return static_cast<std::int32_t>(std::clamp<std::int64_t>(index, -kMaxCell, kMaxCell));
-}
-
 /// How long the vector is on the axis on which it is longest: of vectors along one line these add up.
 std::int64_t reach(Vector v) { return std::max(v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y); }
 

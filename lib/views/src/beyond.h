@@ -6,12 +6,18 @@
 #include <lgs/unloaded.h>
 #include <lgs/world.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace lgs::detail {
 
 inline constexpr std::int64_t kChunkSide = 32;  ///< cells along a chunk
+
+/// The nearest index of a cell that is in range.
+constexpr std::int32_t inWorld(std::int64_t index) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(index, -kMaxCell, kMaxCell));
+}
 
 /// The cells of the chunk that a cell is in, as far as they are in range.
 CellRect chunkWith(Cell cell);

@@ -1,5 +1,7 @@
 #include <lgs/hashes.h>
 
+#include "beyond.h"
+
 #include <algorithm>
 
 namespace lgs {
@@ -34,10 +36,6 @@ std::uint64_t hashOf(Cell cell, const PlacedPolygon& polygon) {
   return h;
 }
 
-constexpr std::int32_t inRange(std::int64_t index) {
-  return static_cast<std::int32_t>(std::clamp<std::int64_t>(index, -kMaxCell, kMaxCell));
-}
-
 /// Which part of a square of this level a chunk is in.
 constexpr std::size_t partWith(std::uint32_t x, std::uint32_t y, int level) {
   const int shift = 2 * (level - 1);
@@ -62,7 +60,9 @@ GroundHashes::Place GroundHashes::Place::part(std::size_t k) const {
 HashedSquare GroundHashes::Place::withHash(std::uint64_t hash) const {
   const std::int64_t i = (std::int64_t{x} - kOrigin) * kChunkSide, j = (std::int64_t{y} - kOrigin) * kChunkSide;
   const std::int64_t side = std::int64_t{kChunkSide} << 2 * level;
-  return {level, {{inRange(i), inRange(j)}, {inRange(i + side - 1), inRange(j + side - 1)}}, hash};
+  return {level,
+          {{detail::inWorld(i), detail::inWorld(j)}, {detail::inWorld(i + side - 1), detail::inWorld(j + side - 1)}},
+          hash};
 }
 
 GroundHashes::GroundHashes(const World& world) noexcept : version_(world.version()), nodes_(2) {
@@ -85,7 +85,7 @@ bool GroundHashes::update(const World& world, const Changes& changes) noexcept {
 }
 
 void GroundHashes::set(Cell chunk, std::uint64_t hash) noexcept {
-  const Cell cell{inRange(chunk.i), inRange(chunk.j)};
+  const Cell cell{detail::inWorld(chunk.i), detail::inWorld(chunk.j)};
   const Place at = placeOf(cell, 0);
   std::uint32_t node = kWorld;
   for (int level = kTopLevel; level > 1; --level) node = nodes_[node].below[partWith(at.x, at.y, level)];
@@ -170,7 +170,7 @@ HashedSquare GroundHashes::whole() const noexcept {
 }
 
 HashedSquare GroundHashes::square(Cell cell, int level) noexcept {
-  return placeOf({inRange(cell.i), inRange(cell.j)}, std::clamp(level, 0, kTopLevel)).withHash(0);
+  return placeOf({detail::inWorld(cell.i), detail::inWorld(cell.j)}, std::clamp(level, 0, kTopLevel)).withHash(0);
 }
 
 std::vector<CellRect> differences(const GroundHashes& a, const GroundHashes& b) noexcept {

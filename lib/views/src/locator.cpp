@@ -1,5 +1,6 @@
 #include "locator.h"
 
+#include "beyond.h"
 #include "rings.h"
 
 #include <algorithm>
@@ -113,9 +114,6 @@ std::optional<Locator::Crossing> Locator::wallWestOf(const LoopFacts& hole) cons
   std::optional<Crossing> above, below;
   const auto keep = [](std::optional<Crossing>& best, const std::optional<Crossing>& here) {
     if (here && (!best || *here < *best)) best = here;
-  };
-  const auto inWorld = [](std::int64_t index) {
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(index, -kMaxCell, kMaxCell));
   };
   const Cell low{inWorld((v.x - 1) >> kCellBits), inWorld((v.y - 1) >> kCellBits)};
   const Cell high{inWorld(v.x >> kCellBits), inWorld(v.y >> kCellBits)};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/predicates.h"
+#include "geometry/relation.h"
 
 #include <lgs/world.h>
 
@@ -28,15 +29,11 @@ bool anyEdge(const WorldRing& ring, Visit&& visit) {
   return false;
 }
 
-/// Whether a point lies inside or on a ring. By the edges that a ray to the right crosses, each with its lower end.
+/// Whether a point lies inside or on a ring.
 inline bool contains(const WorldRing& ring, Point p) {
-  bool inside = false;
-  const bool onEdge = anyEdge(ring, [&](Point a, Point b) {
-    if (isOnSegment(p, a, b)) return true;
-    if ((a.y > p.y) != (b.y > p.y) && orientation(a, b, p) * (b.y > a.y ? 1 : -1) > 0) inside = !inside;
-    return false;
-  });
-  return onEdge || inside;
+  Sight sight;
+  see(p, p, ring, sight);
+  return !sight.outside;
 }
 
 /// Whether a segment and the closed inside of a ring have a point in common.

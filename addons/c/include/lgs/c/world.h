@@ -83,7 +83,7 @@ typedef struct lgs_stats {
   uint64_t shapes;      /* made so far */
   uint64_t contents;    /* distinct contents of cells; those that no cell has are forgotten in time */
   uint64_t chunks;      /* of 32x32 cells, ever touched by an edit, and not forgotten */
-  uint64_t bytes;       /* allocated, with spare capacity; an estimate for the index of shapes */
+  uint64_t bytes;       /* allocated, with spare capacity; an estimate for unloaded chunks */
   uint64_t reserved[5]; /* 0 */
 } lgs_stats;
 
