@@ -19,9 +19,6 @@ if(TARGET lgs-ride)
   lgs_picture(ride lgs-ride ${source}/docs/ride.trace --coast --speed 2 --size 0.6 --svg ride.svg
     --title "A frictionless ball, with and without ghost vertices")
 endif()
-if(TARGET box2d_2_game)
-  lgs_picture(game box2d_2_game game.svg)
-endif()
 # What the published algorithm does instead of the laws: a mismatch each, so the status is 1.
 file(GLOB traces CONFIGURE_DEPENDS ${source}/docs/departures/*.trace)
 foreach(trace IN LISTS traces)
