@@ -48,7 +48,7 @@ ROOMS = {
                           "addons/box2d/v2/include", "addons/box2d/v3/include"],
     "addons/tiled/include": ["lib/include"],
     "addons/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "addons/tiled/include"],
-    "web/bench": ["lib/include", "lib/brush/include"],
+    "web/bench": ["lib/include"],
     # The rules of terrains and the checker are compiled into the package, and the reference into the article.
     "web/wasm": ["lib/include", "lib/brush/include", "addons/falling/include", "lib/views/include", "lib/pieces/include",
                  "addons/tiled/include", "addons/box2d/include", "addons/box2d/src", "oracle/reference", "oracle/trace",

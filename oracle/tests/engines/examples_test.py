@@ -17,6 +17,7 @@ ENGINES = ROOT / "examples/engines"
 
 # What compiles an engine, if anything has to, and how lgs is told of it. {source}, {made}: files.
 RUNS = {
+    "naive.py": ([], ["--engine", f"{shlex.quote(sys.executable)} {{source}}"]),
     "incremental.py": ([], ["--engine", f"{shlex.quote(sys.executable)} {{source}}"]),
     "squares.mjs": ([], ["--engine", "node {source}"]),
     "squares_so.c": (["cc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-shared", "-fPIC",
