@@ -15,7 +15,6 @@ void brushes(Hash& hash);    ///< paint and carve
 void views(Hash& hash);      ///< loops, islands and hashes of the ground, and what changed of them
 void questions(Hash& hash);  ///< what is at places, by id
 void radial(Hash& hash);     ///< links of any directed edges
-void c(Hash& hash);          ///< the C interface
 void answers(Hash& hash);    ///< what is handed out as `double`, bit by bit
 
 }  // namespace platform
