@@ -50,7 +50,6 @@ function flood(polygons) {
 
 const areaOf = (polygon) => edgesOf(polygon).reduce((sum, [a, b, c, d]) => sum + a * d - b * c, 0) / 32
 const isHeld = (part) => part.some(({ block }) => block === bedrock)
-const keyOf = (part) => part.map(({ id }) => id).sort((a, b) => a - b).join()
 
 function assertIsFlood(islands, world) {
   const parts = flood(world.polygons())
@@ -382,62 +381,6 @@ test('a change of blocks alone is followed; the same changes twice are nothing',
   world.free()
   assert.throws(() => islands.all(), code('freed'))
   islands.free()
-})
-
-test('an anchor that is buried, and shows no segment, is followed', () => {
-  const world = createWorld(), square = world.shape(unitSquare)
-  world.fill({ i0: 0, j0: 0, i1: 2, j1: 2 }, square, 1)
-  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
-  world.commit()
-  const islands = new Islands(world, { blocks: [bedrock] })
-  assert.equal(islands.island(islands.all()[0]).anchors, 1)
-  world.setBlock(world.polygonsAt(1, 1)[0].id, 2)
-  const changes = world.commit()
-  assert.deepEqual([changes.removed.length, changes.added.id.length, changes.relinked.id.length], [0, 0, 0])
-  assert.notEqual(changes.before, changes.after, "who missed it must see that")
-  islands.update(changes)
-  assert.deepEqual(islands.loose(), islands.all())
-  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
-  world.commit()
-  world.clear(0, 0)
-  const later = world.commit()
-  assert.throws(() => islands.update(later), code('left-out'))
-  islands.free()
-  world.free()
-})
-
-test('hostile arguments end in an LgsError', () => {
-  const world = arm(), islands = new Islands(world), body = islands.take(islands.all()[0])
-  const polygon = body.polygons[0], square = [0, 0, 1, 0, 1, 1, 0, 1]
-  const odd = [null, undefined, {}, [], 'x', NaN, -1, 2 ** 32, 0.5, 1e300, Infinity, () => 1]
-  const refusedOr = (f) => { try { f() } catch (error) { assert.equal(error.name, 'LgsError', error.stack) } }
-  for (const v of odd) {
-    for (const f of [
-      () => new Islands(v), () => new Islands(world, v), () => new Islands(world, { blocks: v }), () => new Islands(world, { blocks: [v] }),
-      () => new Islands(world, { cells: v }), () => new Islands(world, { cells: [v] }), () => new Islands(world, { cells: [{ i0: v, j0: 0, i1: 0, j1: 0 }] }),
-      () => islands.update(v), () => islands.island(v), () => islands.of(v), () => islands.take(v), () => islands.takeApart(v), () => islands.foresee(v),
-      () => islands.put(v, 0, 0), () => islands.put(v), () => islands.put(body, v, 0), () => islands.putAsItLies(v, { x: 0, y: 0, angle: 0 }),
-      () => islands.putAsItLies(body, v), () => islands.putAsItLies(body, { x: v, y: 0, angle: 0 }), () => islands.putAsItLies(body, { x: 0, y: 0, angle: v }),
-      () => convexParts(v), () => convexParts(body, v), () => massOf(v), () => massOf([v]), () => massOf([{ ...polygon, i: v }]),
-      () => massOf([{ ...polygon, block: v }]), () => massOf([{ ...polygon, vertices: v }]), () => massOf([{ ...polygon, vertices: [v, ...square] }]),
-      () => convexParts({ polygons: [{ ...polygon, vertices: [v, v, ...square] }] }),
-    ]) refusedOr(f)
-  }
-  for (const i of [2 ** 31 - 1, -(2 ** 31), 2 ** 30 + 1]) {
-    assert.throws(() => massOf([{ i, j: i, block: 1, vertices: square }]), code('cell-out-of-range'))
-    assert.throws(() => convexParts({ polygons: [{ i, j: i, block: 1, vertices: square }] }), code('cell-out-of-range'))
-    assert.throws(() => islands.put(body, i, i), code('cell-out-of-range'))
-  }
-  assert.throws(() => massOf([{ i: 0, j: 0, block: 1, vertices: [0, 0, 1, 1, 1, 0] }]), code('clockwise'))
-  assert.throws(() => massOf([polygon, polygon]), code('overlap'))
-  assert.throws(() => massOf([{ i: 0, j: 0, block: 1, vertices: [0, 0, 1, 0, 1, 1.5] }]), code('bad-argument'))
-  assert.deepEqual(massOf([]), { area: 0, x: 0, y: 0, secondMoment: 0 })
-  assert.deepEqual(convexParts({ polygons: [] }), [])
-  islands.put({ i: 0, j: 0, polygons: [] })
-  islands.putAsItLies(body, { x: 2 ** 29, y: -(2 ** 29), angle: 1e9 })
-  assert.throws(() => islands.putAsItLies(body, { x: 2 ** 40, y: 0, angle: 0 }), (error) => error.name === 'LgsError')
-  world.commit()
-  world.free()
 })
 
 test('a world that was loaded has islands, too', () => {
