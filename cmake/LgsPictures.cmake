@@ -14,7 +14,6 @@ if(TARGET lgs-import)
   lgs_picture(quarry lgs-import ${source}/examples/maps/quarry.ldtk -o quarry.trace --objects Boulder --objects Plank
     --svg quarry.svg)
 endif()
-lgs_picture(pieces way_through_a_cave pieces.svg)
 if(TARGET lgs-ride)
   lgs_picture(ride lgs-ride ${source}/docs/ride.trace --coast --speed 2 --size 0.6 --svg ride.svg
     --title "A frictionless ball, with and without ghost vertices")
