@@ -125,8 +125,8 @@ TEST(LateUpdates, HashesThatAreMadeUpAreFoundWhereSumsAreZero) {
   GroundHashes hashes(world);
   hashes.set({0, 0}, 1);
   hashes.set({1000, 1000}, ~std::uint64_t{0});
-  constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
-  EXPECT_EQ(hashes.hashes(kEverywhere).size(), 2U);
+  constexpr CellRect kAll{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+  EXPECT_EQ(hashes.hashes(kAll).size(), 2U);
   hashes.set({0, 0}, 5);
   ASSERT_EQ(hashes.hashes({{0, 0}, {0, 0}}).size(), 1U);
   EXPECT_EQ(hashes.hashes({{0, 0}, {0, 0}}).front().hash, 5U);
