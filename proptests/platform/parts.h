@@ -8,7 +8,7 @@ namespace platform {
 void edits(Hash& hash);      ///< every call that edits, refusals, lists, segments, loops
 void relations(Hash& hash);  ///< the same under preserve relations
 void executor(Hash& hash);   ///< first builds, job by job
-void rollBack(Hash& hash);  ///< marks, roll-backs, copies, groups that are undone
+void rollBack(Hash& hash);   ///< marks, roll-backs, copies, groups that are undone
 void saves(Hash& hash);      ///< bytes of saved worlds, worlds from them, damaged ones
 void unloading(Hash& hash);  ///< bytes of chunks that leave, and what is there without them
 void brushes(Hash& hash);    ///< paint and carve

@@ -124,6 +124,7 @@ int main() {
     Scenario& scenario = scenarios[task == "edits" ? k : 2 + k];
     const double start = now();
     task == "edits" ? scenario.edit(count) : scenario.makeWorld();
-    std::cout << static_cast<long long>((now() - start) / count) << ' ' << static_cast<long long>(scenario.sum()) << std::endl;
+    std::cout << static_cast<long long>((now() - start) / count) << ' ' << static_cast<long long>(scenario.sum())
+              << std::endl;
   }
 }
