@@ -14,13 +14,9 @@ if(TARGET lgs-import)
   lgs_picture(quarry lgs-import ${source}/examples/maps/quarry.ldtk -o quarry.trace --objects Boulder --objects Plank
     --svg quarry.svg)
 endif()
-lgs_picture(pieces way_through_a_cave pieces.svg)
 if(TARGET lgs-ride)
   lgs_picture(ride lgs-ride ${source}/docs/ride.trace --coast --speed 2 --size 0.6 --svg ride.svg
     --title "A frictionless ball, with and without ghost vertices")
-endif()
-if(TARGET box2d_2_game)
-  lgs_picture(game box2d_2_game game.svg)
 endif()
 # What the published algorithm does instead of the laws: a mismatch each, so the status is 1.
 file(GLOB traces CONFIGURE_DEPENDS ${source}/docs/departures/*.trace)

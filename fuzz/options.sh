@@ -1,4 +1,4 @@
-# Sourced by run.sh and coverage.sh, with their arguments: takes the options apart.
+# Sourced by run.sh, with its arguments: takes the options apart.
 # shellcheck shell=bash
 # Before sourcing: the comment at the script's top is its help, and `settings` names the variable that each option sets,
 # as declare -A settings=([--build]=build). Afterwards: those are set, and what is no option is in `words`.

@@ -18,7 +18,7 @@ source scripts/steps.sh
 
 build=build/box2d3
 # The package has all libraries that are installed.
-targets=(lgs_installed lgs_box2d_tests box2d_3_digging box2d_3_game digger lgs_terrain_costs)
+targets=(lgs_installed lgs_box2d_tests box2d_3_digging digger lgs_terrain_costs)
 # What an earlier run found is forgotten, as it may have been for another PREFIX.
 step configure 'Configure' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
   -Ubox2d_DIR "-DCMAKE_PREFIX_PATH=$prefix"

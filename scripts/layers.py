@@ -2,17 +2,14 @@
 """Checks that no include goes up: each room may include only the rooms that the table names.
 
     scripts/layers.py            # exit status 0: all is well; 1: an include goes up, and which; 2: a file has no room
-    scripts/layers.py --test     # the check finds includes that go up, planted in a copy of the table's rooms
 
 A *room* is a folder. Its public headers and its sources are one room, except in lib/, where headers and sources of the
 engine are told apart: the references and the tools may see public headers only. A bug in values, limits or toWorld() would be on both sides, any other can not.
 """
-import argparse
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 
 # What a room may include, beside itself. The table is the rule; its order means nothing.
 ENGINE = ["lib/include"]
@@ -51,7 +48,7 @@ ROOMS = {
                           "addons/box2d/v2/include", "addons/box2d/v3/include"],
     "addons/tiled/include": ["lib/include"],
     "addons/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "addons/tiled/include"],
-    "web/bench": ["lib/include", "lib/brush/include"],
+    "web/bench": ["lib/include"],
     # The rules of terrains and the checker are compiled into the package, and the reference into the article.
     "web/wasm": ["lib/include", "lib/brush/include", "addons/falling/include", "lib/views/include", "lib/pieces/include",
                  "addons/tiled/include", "addons/box2d/include", "addons/box2d/src", "oracle/reference", "oracle/trace",
@@ -175,41 +172,7 @@ def sources(root):
     return [path for path in found if path.parts[0] not in ("build", "out")]
 
 
-def test():
-    """Plants includes that go up, one for each rule, and expects each to be found."""
-    planted = {
-        "lib/world/world.cpp": '#include "oracle/trace/trace.h"',
-        "lib/ground/edit.cpp": '#include "outline/linking.h"',
-        "lib/storage/pages.cpp": '#include "ground/grid.h"',
-        "addons/box2d/src/layers.cpp": '#include "ground/grid.h"',
-        "oracle/reference/naive.cpp": '#include "oracle/trace/trace.h"',
-        "oracle/check/checker.cpp": '#include "outline/linking.h"',
-        "bench/tiles.cpp": '#include "cli/command.h"',
-        "addons/tiled/src/import.cpp": "#include <CGAL/enum.h>",
-        "oracle/reference/validity.cpp": '#include "geometry/ring.h"',
-        "attic/old.cpp": "",
-    }
-    with tempfile.TemporaryDirectory() as folder:
-        root = pathlib.Path(folder)
-        for name in ["oracle/trace/trace.h", "lib/outline/linking.h", "lib/ground/grid.h", "lib/geometry/ring.h",
-                     "cli/command.h"]:
-            (root / name).parent.mkdir(parents=True, exist_ok=True)
-            (root / name).touch()
-        for name, line in planted.items():
-            (root / name).parent.mkdir(parents=True, exist_ok=True)
-            (root / name).write_text(line + "\n", encoding="utf-8")
-        found = list(complaints(root, [pathlib.Path(name) for name in planted]))
-    missed = [name for name in planted if not any(complaint.startswith(name) for complaint in found)]
-    for name in missed:
-        print(f"layers: not found: {name}: {planted[name]}")
-    return 1 if missed else 0
-
-
 def main():
-    parser = argparse.ArgumentParser(description="Checks that no include goes up; the table is in this file.")
-    parser.add_argument("--test", action="store_true", help="check the check: plant includes that go up")
-    if parser.parse_args().test:
-        return test()
     root = pathlib.Path(__file__).resolve().parent.parent
     files = sources(root)
     found = list(complaints(root, files)) + list(circles())

@@ -3,19 +3,16 @@
 Also, each page is linked from another one, and no line is wider than 120 characters (but rows of tables).
 
     scripts/links.py           # exit status 0: all is well; 1: what leads nowhere, with file and line
-    scripts/links.py --test    # the check finds broken links and names, planted in a folder of its own
 
 A word of `code`, or of a block of code, is taken for a file's name if it has a slash or ends as the project's sources
 do. The name may be cut short from the left (`ground/grid.h`) or stand for several files (`*_test.cpp`). It may also lie in
 a build folder: for `build/release/cli/lgs` the folder `cli/` must exist.
 """
-import argparse
 import fnmatch
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 CODE = re.compile(r"`([^`\n]+)`")
@@ -122,34 +119,7 @@ def fault_of_link(root, file, target):
     return None
 
 
-def test():
-    """Plants links and names that lead nowhere, and some that are right; expects the first to be found and no other."""
-    wrong = ["[a](b.md)", "[a](#none)", "[a](ground/grid.h#none)", "`ground/grid.cpp`", "`lib/grid.h`", "`*_test.cpp`",
-             "`ABOUT.md`", "`../none.md`", "wide " * 30, "    build/release/oracle/lgs check"]
-    right = ["    build/release/lib/lgs check my.trace",
-             "[a](ground/grid.h), [a](#a-heading-c-and-more), [a](note.md#a-heading-c-and-more)",
-             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `../README.md`, <https://example.org/b.md>"]
-    with tempfile.TemporaryDirectory() as folder:
-        root = pathlib.Path(folder)
-        (root / "lib/ground").mkdir(parents=True)
-        (root / "lib/ground/grid.h").touch()
-        text = "\n".join(["## A heading: `C++`, and more", *wrong, *right])
-        (root / "lib/note.md").write_text(text, encoding="utf-8")
-        (root / "README.md").write_text("[the note](lib/note.md)", encoding="utf-8")
-        (root / "lonely.md").touch()
-        found = [complaint.split(":")[1] for complaint in complaints(root, tracked(root))]
-    expected = [str(2 + k) for k in range(len(wrong))] + ["1"]
-    if found != expected:
-        print(f"links: found in lines {' '.join(found)}, expected in lines {' '.join(expected)}")
-        return 1
-    return 0
-
-
 def main():
-    parser = argparse.ArgumentParser(description="Checks that links and names of files in *.md lead to what exists.")
-    parser.add_argument("--test", action="store_true", help="check the check: plant links and names that lead nowhere")
-    if parser.parse_args().test:
-        return test()
     root = pathlib.Path(__file__).resolve().parent.parent
     files = tracked(root)
     found = list(complaints(root, files))

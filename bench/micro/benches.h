@@ -33,7 +33,6 @@ Built& built(const std::string& world, std::int64_t cells);
 void putTimes(benchmark::State& state, const Times& times, const std::string& prefix = {});
 
 void registerEdits(const Scale& scale);    ///< single edits: add and remove; dig and refill
-void registerBatches(const Scale& scale);  ///< many edits with one commit
 void registerBuilds(const Scale& scale);   ///< time and memory of a world from nothing
 void registerWorst(const Scale& scale);    ///< the edits that cost most
 void registerIslands(const Scale& scale);  ///< a bridge is cut, beside a flood fill

@@ -1,6 +1,5 @@
-// Brushes: a hole carved, with its commit, beside what Clipper takes for the same hole in the cells that it touches,
-// and in the whole world; and cells cleared as a whole, by brush and by clear(). Each world is as before after each
-// time.
+// Brushes: a hole carved, with its commit, beside what Clipper takes for the same hole in the cells that it touches. The
+// world is as before after each time.
 #include "bench/micro/benches.h"
 
 #include <lgs/brush.h>
@@ -87,7 +86,7 @@ class Clipped {
 
 void carveHoles(benchmark::State& state, const Tiles& tiles, std::size_t edits) {
   World world = worldOf(tiles);
-  Times carved, ofCells, ofWorld;
+  Times carved, ofCells;
   while (state.KeepRunning()) {
     for (const Point center : centersIn(tiles, edits)) {
       const Region hole = circle(center, kRadius * kUnitsPerCell, 32);
@@ -99,31 +98,11 @@ void carveHoles(benchmark::State& state, const Tiles& tiles, std::size_t edits) 
       const CellRect touched{cellAt({center.x - kReach, center.y - kReach}),
                              cellAt({center.x + kReach, center.y + kReach})};
       ofCells.add(Clipped(world, touched).timeWithout(hole));
-      if (carved.size() % 20 == 1)  // it takes long
-        ofWorld.add(Clipped(world, {{0, 0}, {tiles.width - 1, tiles.height - 1}}).timeWithout(hole));
 #endif
     }
   }
   putTimes(state, carved);
   if (!ofCells.empty()) putTimes(state, ofCells, "clipper_cells_");
-  if (!ofWorld.empty()) putTimes(state, ofWorld, "clipper_world_");
-}
-
-void carveCells(benchmark::State& state, const Tiles& tiles, std::size_t edits) {
-  World world = worldOf(tiles);
-  Times carved, cleared;
-  while (state.KeepRunning()) {
-    for (const Point center : centersIn(tiles, edits)) {
-      const Cell least = cellAt(center);
-      const CellRect cells{least, {least.i + 1, least.j + 1}};
-      const Point min = toWorld(cells.min, {0, 0}), max = toWorld(cells.max, {kUnitsPerCell, kUnitsPerCell});
-      const Region square{{{min, {max.x, min.y}, max, {min.x, max.y}}}};
-      timeIn(world, carved, [&] { (void)carve(world, square); });
-      timeIn(world, cleared, [&] { (void)world.clear(cells); });
-    }
-  }
-  putTimes(state, carved);
-  putTimes(state, cleared, "clear_");
 }
 
 }  // namespace
@@ -136,9 +115,6 @@ void registerBrushes(const Scale& scale) {
       carveHoles(state, makeTiles(world, size), edits);
     })->Iterations(1);
   }
-  benchmark::RegisterBenchmark("brush/cells/full", [=](benchmark::State& state) {
-    carveCells(state, makeTiles("full", size), edits);
-  })->Iterations(1);
 }
 
 }  // namespace lgs::bench

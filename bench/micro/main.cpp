@@ -31,7 +31,7 @@ std::vector<std::string> readScale(CLI::App& app, int argc, char** argv, Scale& 
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Times the engine: single edits, batches, builds, worst cases. `lgs bench` compares it with others.",
+  CLI::App app("Times the engine: single edits, builds, worst cases. `lgs bench` compares it with others.",
                "lgs_bench");
   Scale scale;
   std::vector<std::string> others;
@@ -49,7 +49,6 @@ int run(int argc, char** argv) {
   benchmark::AddCustomContext("compiler", LGS_BENCH_COMPILER);
   registerBuilds(scale);
   registerEdits(scale);
-  registerBatches(scale);
   registerWorst(scale);
   registerBrushes(scale);
   registerPieces(scale);

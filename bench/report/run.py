@@ -50,7 +50,7 @@ def run(command, **options):
 
 
 def build():
-    setup = ROOT / "bench/polygon-clipping"
+    setup = ROOT / "examples/engines"
     if shutil.which("npm") and not (setup / "node_modules").exists():
         say("installing polygon-clipping")
         done = subprocess.run(["npm", "ci", "--silent", "--no-audit", "--no-fund"], cwd=setup, check=False)

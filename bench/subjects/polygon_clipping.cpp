@@ -18,7 +18,7 @@
 namespace lgs::bench {
 namespace {
 
-constexpr const char* kScript = LGS_SOURCE_DIR "/bench/polygon-clipping/union.mjs";
+constexpr const char* kScript = LGS_SOURCE_DIR "/bench/subjects/union.mjs";
 
 // A child process that answers each line with a line.
 class Node {
@@ -118,7 +118,7 @@ class PolygonClipping final : public Subject {
 Made makePolygonClipping() {
   auto node = std::make_unique<Node>();
   if (node->receive() != "ready") {
-    return tl::unexpected(std::string("needs Node and its package: cd bench/polygon-clipping && npm ci"));
+    return tl::unexpected(std::string("needs Node and its package: npm ci --prefix examples/engines"));
   }
   return std::make_unique<PolygonClipping>(std::move(node));
 }

@@ -243,14 +243,6 @@ TEST_F(Command, AFileThatMayNotBeReadIsNamedWithTheCommandThatReadsIt) {
   expect("import game/m.tmx -o m.trace", 0, "If the map can be trusted: lgs import game/m.tmx --files-in .\n");
 }
 
-TEST_F(Command, HintsCanBeGivenToAShell) {
-  put("m.tmx",
-      "<map width='2' height='1' tilewidth='16' tileheight='16'><objectgroup name='it&apos;s&#27; &#10;Bob'>"
-      "<object id='1' width='16' height='16'/></objectgroup></map>");
-  expect("import m.tmx", 2,
-         "  or: lgs import m.tmx --objects $'it\\'s\\033 \\012Bob'  (1 polygon: object layer it's   Bob, 1 object: ");
-}
-
 TEST_F(Command, ErrorsOfTheImportNameOptionsOfTheCommand) {
   put("m.tmx", kNothingSolid);
   expect("import m.tmx --tolerance nan", 2, "--tolerance: 'nan' is not a number from 0 to 1000000\n");
@@ -335,14 +327,6 @@ TEST_F(Command, AMapIsKnownByItsContentToo) {
   expect("replay m.trace", 0, "0 edits");
   put("m.map", "{\"no\": \"map\"}");
   expect("replay m.map", 2, "m.map: ");
-}
-
-TEST_F(Command, AnEmptyMapSaysWhatWasLeftOut) {
-  put("m.tmx",
-      "<map orientation='orthogonal' width='2' height='1' tilewidth='16' tileheight='16'><objectgroup name='Walls'>"
-      "<object id='3' x='2' y='9'><point/></object></objectgroup></map>");
-  expect("import m.tmx", 2, "object 3: a point has no area");
-  expect("check --map m.tmx", 2, "m.tmx: nothing in it is solid");
 }
 
 TEST_F(Command, OptionsOfTheImportChooseWhatIsSolid) {

@@ -1,6 +1,5 @@
 // A miner looks for the way through a cave while others dig, build and undo. After each commit only the cells that
-// changed get other pieces, and the way is looked for again. With a file name as argument the last picture goes there.
-#include "picture.h"
+// changed get other pieces, and the way is looked for again.
 #include "way.h"
 
 #include <lgs/brush.h>
@@ -8,7 +7,6 @@
 #include <lgs/world.h>
 
 #include <cstdio>
-#include <fstream>
 
 namespace {
 
@@ -43,7 +41,7 @@ struct Miner {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main() {
   Miner miner;
   lgs::World& world = miner.world;
   if (const auto done = world.followCells(true); !done) return refused(done.error());
@@ -63,10 +61,6 @@ int main(int argc, char** argv) {
   const lgs::Point hole[]{at(11.5, 11), at(16, 10), at(21.5, 10)};
   if (const auto done = carve(world, lgs::thickLine(hole, wide / 2)); !done) return refused(done.error());
   miner.look("a short cut is dug", world.commit());
-  if (argc > 1) {
-    std::ofstream file(argv[1]);
-    drawPieces(file, miner.pieces, kCave, miner.way);
-  }
 
   const lgs::Mark mark = world.mark();
   const lgs::Region door = lgs::rectangle(at(24, 11), {0, 1}, 3 * lgs::kUnitsPerCell, lgs::kUnitsPerCell / 8);

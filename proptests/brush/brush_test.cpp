@@ -1,5 +1,5 @@
-// Brushes by hand: their parts, whole cells, refusals, and what the result says.
-#include "outline.h"
+// Brushes by hand: their parts, chains that would run through what stays, and refusals.
+#include "atoms.h"
 #include "pieces.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/must.h"
@@ -58,58 +58,6 @@ TEST(BrushAtoms, ARayThroughAVertexMeetsOneOfItsEdges) {
   EXPECT_EQ(sumLeftOf({10, 20}, wall), -solid);  // doubled
 }
 
-brush::List<brush::HalfEdge> edgesOf(const std::vector<Ring>& rings) {
-  brush::List<brush::HalfEdge> edges;
-  for (const Ring& ring : rings)
-    for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
-  return edges;
-}
-
-TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
-  const brush::List<brush::Points> polygons =
-      brush::simplePolygons(edgesOf({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {3, 6}, {6, 6}, {6, 3}}}));
-  EXPECT_EQ(polygons, (brush::List<brush::Points>{{{0, 0}, {3, 3}, {3, 6}, {6, 6}, {9, 9}, {0, 9}},
-                                                  {{0, 0}, {9, 0}, {9, 9}, {6, 6}, {6, 3}, {3, 3}}}));
-}
-
-TEST(BrushOutline, AChordLeadsToTheLeastOfTheNearestVertices) {
-  const brush::List<brush::Points> polygons =
-      brush::simplePolygons(edgesOf({{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{2, 4}, {4, 6}, {6, 4}, {4, 2}}}));
-  EXPECT_EQ(polygons, (brush::List<brush::Points>{{{0, 0}, {2, 4}, {4, 6}, {6, 4}, {8, 0}, {8, 8}, {0, 8}},
-                                                  {{0, 0}, {8, 0}, {6, 4}, {4, 2}, {2, 4}}}));
-}
-
-TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {
-  World world;
-  const Region cells = box({0, 0}, {3 * kCell, 2 * kCell});
-  const auto painted = must(paint(world, cells, 1, PaintMode::fill));
-  EXPECT_EQ(painted.added.size(), 6U);
-  const auto recoloured = must(paint(world, cells, 2, PaintMode::replace));
-  ASSERT_EQ(recoloured.changed.size(), 6U);
-  EXPECT_EQ(recoloured.changed[0].now, std::vector{recoloured.changed[0].old}) << "it keeps its handle";
-  EXPECT_EQ(world.at({5, 5}).block, 2U);
-  EXPECT_TRUE(paint(world, cells, 3, PaintMode::fill)->added.empty()) << "nothing is free";
-  const auto carved = carve(world, cells);
-  EXPECT_EQ(carved->removed.size(), 6U);
-  EXPECT_EQ(world.stats().polygons, 0U);
-}
-
-// The part above the hole has nothing of the old outline on its right: chords alone.
-TEST(Brush, APartBetweenChordsIsToldAsAPartOfItsPolygon) {
-  World world;
-  const PolygonHandle full = world.add({0, 0}, kUnitSquare, 1).value();
-  const Region hole{{{{10'000, 50'000}, {20'000, 30'000}, {50'000, 45'000}}}};
-  const BrushResult carved = carve(world, hole).value();
-  EXPECT_TRUE(carved.added.empty());
-  ASSERT_EQ(carved.changed.size(), 1U);
-  EXPECT_EQ(carved.changed[0].old, full);
-  EXPECT_EQ(carved.changed[0].now.size(), 2U);
-  // Of two polygons that become one with what is painted, each has a part in it.
-  const BrushResult painted = paint(world, hole, 1, PaintMode::fill).value();
-  ASSERT_EQ(painted.changed.size(), 2U);
-  EXPECT_EQ(painted.changed[0].now, painted.changed[1].now);
-}
-
 /// Plays strokes, and returns how many polygons the last one bends that it should have kept.
 std::size_t bentByTheLast(Ground ground, const Strokes& strokes) {
   World world = worldOf(ground);
@@ -140,18 +88,6 @@ TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
                                             {Deed::fill, 3, {{{65527, 65530}, {65524, 65524}, {65537, 65527}}}, false},
                                             {Deed::replace, 1, {{{65524, 65524}, {65524, 65525}, {65525, 65524}}}}}),
             0U);
-}
-
-TEST(Brush, FarFromTheOriginAndLarge) {
-  World world;
-  const Point far{kMaxCoordinate - 5 * kCell, -kMaxCoordinate + 5 * kCell};
-  EXPECT_TRUE(paint(world, circle(far, 4 * kCell), 1, PaintMode::fill).has_value());
-  const std::int64_t most = kMaxRegionCells * kCell;
-  const Region large{{{{0, 0}, {most, 3}, {most - 7, most}}}};
-  Region frame = large;
-  frame.rings.push_back({{2, 1}, {most - 2, 4}, {most - 9, most - 5}});
-  frame.rule = FillRule::evenOdd;
-  EXPECT_TRUE(paint(world, frame, 1, PaintMode::fill).has_value());
 }
 
 TEST(Brush, BadRegionsAreRefusedAndNothingChanges) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How a list of bugs is read and planted, what becomes of an attempt, and which mutants are made of a line of code."""
+"""What becomes of an attempt to plant a bug, and what is said of a list that is wrong."""
 
 import argparse
 import contextlib
@@ -12,63 +12,13 @@ from pathlib import Path
 
 import bugs
 import finished
-import mutants
-import run
 import trying
 import workshop
 from bugs import Wrong
-from finders import Tests, shrunk
-from results import Results, changed_since, git
-from rules import changes_of
+from finders import Tests
 from workshop import DoesNotBuild
 
-LIST = """# Law 1
-found by: lgs_tests Suite. Other.
-
-lib/a.cpp
-  the wrong one is taken [fuzz edits]
-    f(a, b) ==> f(b, a)
-  nothing is done
-    g(); h(); ==>
-    if (x) ==> if (true)
-
-# Law 2
-found by each: node a.test.js:x b.test.js
-web/b.ts
-  never
-    return true ==> return false
-"""
-
-
 class Lists(unittest.TestCase):
-    def test_what_is_read(self):
-        one, two, three = bugs.read("law", LIST)
-        self.assertEqual((str(one), one.file, one.fuzz), ("law: the wrong one is taken", "lib/a.cpp", "edits"))
-        self.assertEqual(one.group, bugs.Group("Law 1", "lgs_tests", ("Suite.", "Other."), False))
-        self.assertEqual(two.changes, (("g(); h();", ""), ("if (x)", "if (true)")))
-        self.assertEqual((three.file, three.group.each), ("web/b.ts", True))
-
-    def test_what_is_refused(self):
-        for line in ("lib/a.cpp\n   three blanks", "lib/a.cpp\n    a ==> b", "lib/a.cpp\n  a bug\n    no arrow"):
-            with self.assertRaisesRegex(Wrong, r"law.bugs:\d:"):
-                bugs.read("law", "# Law 1\nfound by: lgs_tests A.\n" + line)
-        with self.assertRaisesRegex(Wrong, "found by"):
-            bugs.read("law", "# Law 1\nlib/a.cpp\n")
-
-    def planted(self, text: str, find: str, replace: str) -> str:
-        return bugs.Bug("law", bugs.Group("", "", (), False), "a.cpp", "bug", None, ((find, replace),)).plant(text)
-
-    def test_blanks_of_the_text_are_blanks_or_line_breaks_of_the_code(self):
-        self.assertEqual(self.planted("a;\n  b;\n  c;", "a; b;", "a;"), "a;\n  c;")
-        self.assertEqual(self.planted("a;\n  b;\n  c;", "a; b; c;", "a; x; c;"), "a;\n  x;\n  c;")
-        self.assertEqual(self.planted("if (a)\n  b;", "b;", "c; b;"), "if (a)\n  c; b;")
-        self.assertEqual(self.planted("f(a); g();", "f(a);", ""), " g();")
-
-    def test_the_text_must_be_there_once(self):
-        for text in ("f(a) + f(a)", "f(b)"):
-            with self.assertRaisesRegex(Wrong, "to be found once in a.cpp"):
-                self.planted(text, "f(a)", "")
-
     def test_faults(self):
         listed = bugs.read("law", """# Law
 found by: lgs_tests NoSuchSuite.
@@ -87,43 +37,6 @@ none.cpp
                 "no test begins with NoSuchSuite", "one: to be found once", "no fuzz target none",
                 "same: changes nothing", "same: to be found once", "none.cpp", "2 bugs are called: same"), strict=True):
             self.assertIn(said, fault)
-
-
-class Outcomes(unittest.TestCase):
-    def test_the_file_has_the_last_outcome_of_each_bug_and_each_way(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "results.jsonl"
-            tests, score = Results(file, "tests"), Results(file, "lgs check")
-            tests.put("b", {"verdict": "passes"})
-            tests.put("a", {"verdict": "found", "by": "A.B"})
-            score.put("b", {"verdict": "found"})
-            tests.put("b", {"verdict": "found", "by": "C.D", "output": "much"})
-            self.assertEqual([(e["bug"], e["with"], e.get("by")) for e in tests.read().values()],
-                             [("a", "tests", "A.B"), ("b", "lgs check", None), ("b", "tests", "C.D")])
-            self.assertEqual(tests.of_now("b")["commit"], tests.commit)
-            self.assertNotIn("much", file.read_text())
-            tests.commit = "another"
-            self.assertIsNone(tests.of_now("b"))
-            self.assertEqual(tests.last("b")["by"], "C.D")
-
-    def test_what_changed_since(self):
-        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("results.ROOT", Path(folder)):
-            (Path(folder) / "a.cpp").write_text("a")
-            (Path(folder) / "law.bugs").write_text("a.cpp\n  old\n")
-            git("init", "-q")
-            git("add", ".")
-            git("-c", "user.name=x", "-c", "user.email=x", "commit", "-qm", "x")
-            self.assertEqual(changed_since("HEAD"), (set(), set()))
-            (Path(folder) / "law.bugs").write_text("a.cpp\n  new [fuzz edits]\n  old\n")
-            self.assertEqual(changed_since("HEAD"), ({"law.bugs"}, {"new"}))
-            with self.assertRaisesRegex(Wrong, "no-such"):
-                changed_since("no-such")
-
-    def test_calls_of_a_trace_are_counted(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.assertEqual(shrunk(Path(folder)), {})
-            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# x\nadd a 0 0 1\ncommit\n\nremove a # x")
-            self.assertEqual(shrunk(Path(folder)), {"calls": 2})
 
 
 @dataclass(frozen=True)
@@ -245,106 +158,6 @@ class FinishedBuild(unittest.TestCase):
                     self.assertEqual(workshop.run([shop.program("", "program")], 5).status, 2)
                 self.assertEqual(workshop.run([shop.program("", "program")], 5).status, 1)
             self.assertEqual((root / "lib/b.h").read_text(), "inline int g() { return 1; }")
-
-
-INSIDE = "void f() {{\n  {}\n}}\n"
-IN_CLASS = "struct A {{\n  {}\n}};\n"
-
-
-class Rules(unittest.TestCase):
-    def check(self, rule: str, line: str, *expected: str, frame: str = INSIDE) -> None:
-        """The line as each mutant of the rule has it."""
-        text = frame.format(line)
-        begin, after = text.index(line), len(text) - text.index(line) - len(line)
-        mutants = [text[begin:c.start] + c.text + text[c.end:-after] for c in changes_of(text) if c.rule == rule]
-        self.assertCountEqual(mutants, expected, line)
-
-    def test_relational(self):
-        self.check("relational", "a < b;", "a <= b;", "a >= b;")
-        self.check("relational", "x = std::max<int>(a, b) == c;", "x = std::max<int>(a, b) != c;")
-        self.check("relational", "bool operator<(const A& b) const;", frame=IN_CLASS)
-
-    def test_arithmetic(self):
-        self.check("arithmetic", "x = a - -b;", "x = a + -b;", "x = a - b;")
-        self.check("arithmetic", "for (; i; ++i) n += 2;", "for (; i; --i) n += 2;", "for (; i; ++i) n -= 2;")
-        self.check("arithmetic", 'text = "a" + b + "c";')
-        self.check("arithmetic", "T* p = *q;")
-
-    def test_bits(self):
-        self.check("bits", "x &= ~(a >> 3 | b);", "x |= ~(a >> 3 | b);", "x &= (a >> 3 | b);", "x &= ~(a << 3 | b);",
-                   "x &= ~(a >> 3 & b);")
-        self.check("bits", "T&& x = f<A<B>>(y);")
-        self.check("bits", "~A();", frame=IN_CLASS)
-
-    def test_logical(self):
-        self.check("logical", "if (!a && b) return;", "if (a && b) return;", "if (!a || b) return;")
-
-    def test_constants(self):
-        self.check("constants", "x = 4'096u;", "x = 4097u;", "x = 4095u;")
-        self.check("constants", "x = 0x10;", "x = 17;", "x = 15;")
-        self.check("constants", "x = 0;", "x = 1;", "x = (-1);")
-        self.check("constants", "x = 0.5F;", "x = 1.5F;", "x = (-0.5F);")
-        self.check("constants", "x = true;", "x = false;")
-        self.check("constants", "f<3>('4', \"5\");  // 6")
-
-    def test_conditions(self):
-        self.check("conditions", "while (a && b) f();", "while (!(a && b)) f();")
-        self.check("conditions", "if (const T* p = g(); p) f();", "if (const T* p = g(); !(p)) f();")
-        self.check("conditions", "if (const T* p = g()) f();")
-        self.check("conditions", "if (a == b) f();")  # it is a relational mutant
-        self.check("conditions", "x = a ? b : c;", "x = a || true ? b : c;", "x = a && false ? b : c;")
-
-    def test_statements(self):
-        self.check("statements", "f(a); ++b;", "; ++b;", "f(a); ;")
-        self.check("statements", "if (a) return b;", "if (a) ;")
-        self.check("statements", "if (a) { b = c; }", "if (a) { ; }")
-        self.check("statements", "for (int i = 0; i < n; ++i) a.b[i] = c;", "for (int i = 0; i < n; ++i) ;")
-        self.check("statements", "sort(v, [](A a) { g(a); });", ";", "sort(v, [](A a) { ; });")
-        for line in ("return b;", "const int a = b;", "std::vector<int> a(b);", "T& a = b;", "using A = B;",
-                     "assert(a);", "int c = A{1}.b(2);"):
-            self.check("statements", line)
-        self.check("statements", "A() = default;", frame=IN_CLASS)
-
-    def test_arguments(self):
-        self.check("arguments", "f(a, g(b, c));", "f(g(b, c), a);", "f(a, g(c, b));")
-        self.check("arguments", "return {a, b};", "return {b, a};")
-        for line in ("x = std::max(a, b);", "f(a, a);", "void g(int a, T& b);", "std::pair<A, B> p;"):
-            self.check("arguments", line)
-
-    def test_what_is_left_alone(self):
-        for line in ("assert(a < b + 1);", 'static_assert(sizeof(A) == 4, "1 < 2");', "// a < b + 1",
-                     "/* f(a, b); */", "#define A (1 < 2)", "template <int N = 3>", "[[maybe_unused]] int a;",
-                     'const auto a = R"(1 < 2)";'):
-            self.assertEqual(changes_of(INSIDE.format(line)), [], line)
-
-
-class Selection(unittest.TestCase):
-    def select(self, *words: str) -> list:
-        return run.select(run.parser().parse_args(words))
-
-    def test_which(self):
-        everything = self.select()
-        self.assertEqual(self.select("--numbers", "3-4"), everything[3:5])
-        self.assertEqual(self.select("--sample", "5", "--seed", "2"), self.select("--sample", "5", "--seed", "2"))
-        self.assertNotEqual(self.select("--sample", "5", "--seed", "2"), self.select("--sample", "5", "--seed", "3"))
-        self.assertEqual({bug.list for bug in self.select("--only", "^law1-")}, {"law1-exposure"})
-        self.assertEqual({bug.file.split("/")[0] for bug in self.select("--score")}, {"lib", "oracle"})
-        self.assertTrue(all(bug.fuzz for bug in self.select("--fuzz")))
-        self.assertEqual([bug.group.tests for bug in self.select("--canary", "7")], [("Bulk/",)])
-        self.assertEqual({mutant.component for mutant in self.select("--mutants", "--of", "brushes")}, {"brushes"})
-
-
-class Mutants(unittest.TestCase):
-    def test_every_folder_has_code(self):
-        for name, (folders, _) in mutants.COMPONENTS.items():
-            files = {mutant.file for mutant in mutants.mutants_of(name)}
-            for folder in folders:
-                self.assertTrue(any(file.startswith(f"{folder}/") for file in files), folder)
-
-    def test_explanations_of_lines_that_are_gone_are_told(self):
-        (file, was, now), why = next(iter(mutants.read_explained().items()))
-        self.assertEqual(mutants.stale({(file, was, now): why}), [])
-        self.assertEqual(len(mutants.stale({(file, was + "x", now): why, ("gone.cpp", was, now): why})), 2)
 
 
 if __name__ == "__main__":

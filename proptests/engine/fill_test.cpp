@@ -1,5 +1,4 @@
 // fill() and clear() of more cells than the laws of calls reach.
-#include "oracle/trace/dump.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +7,6 @@
 
 namespace lgs::test {
 namespace {
-
-using oracle::outlineOf;
 
 TEST(Fill, TellsHandlesByRows) {
   World world;
@@ -51,40 +48,6 @@ TEST(Fill, LooksAtItsOwnCellsOnly) {
   EXPECT_EQ(world.clear(rect).value(), 201U * 141U);
   for (const Cell& cell : outside) EXPECT_EQ(world.polygons(cell).size(), 1U);
   EXPECT_EQ(world.stats().polygons, outside.size());
-}
-
-// A commit passes over what is buried, so it must know what no longer is.
-TEST(Fill, OfOtherShapesWhereItWasSolid) {
-  World world, fresh;
-  const CellRect all{{-20, -20}, {20, 20}}, inner{{-12, -9}, {11, 8}};
-  const auto squareIn = [](World& w) { return shapeOf(w, {unitSquare()}); };
-  const auto diamondIn = [](World& w) { return shapeOf(w, shapeNamed("diamond")); };
-  ASSERT_TRUE(world.fill(all, squareIn(world), 1));
-  world.commit();
-  ASSERT_TRUE(world.clear(inner));
-  ASSERT_TRUE(world.fill(inner, diamondIn(world), 2));
-  world.commit();
-  ASSERT_TRUE(fresh.fill(inner, diamondIn(fresh), 2));
-  for (const Cell& cell : cellsOf(all))
-    if (!contains(inner, cell)) place(fresh, cell, unitSquare(), 1);
-  fresh.commit();
-  EXPECT_EQ(outlineOf(world), outlineOf(fresh));
-  ASSERT_TRUE(world.clear(inner));
-  ASSERT_TRUE(world.fill(inner, squareIn(world), 1));
-  EXPECT_TRUE(world.commit().added.empty());
-  EXPECT_EQ(world.stats().segments, 4U * 41U);
-}
-
-// Once read past the end of a page of records: a cell that lists its polygons and has no segments, looked at from a
-// side with rim points. Only the address sanitizer can see it.
-TEST(Fill, BuriesCellsThatListTheirPolygons) {
-  World world;
-  const ShapeId halves = shapeOf(world, shapeNamed("two halves"));
-  std::array<PolygonHandle, 2> handles;
-  ASSERT_TRUE(world.add({-500, -500}, halves, 1, handles));
-  ASSERT_TRUE(world.remove(handles[1]));
-  ASSERT_TRUE(world.fill({{0, 0}, {127, 127}}, halves, 1));
-  EXPECT_EQ(world.commit().added.size(), 4U + 2 * 128 + 4 * 128);
 }
 
 }  // namespace

@@ -1,11 +1,8 @@
-// What calls of segments mean that no outline shows: ids, and what is seen before a commit.
+// What calls of segments mean that no outline shows: ids that are none, and what is seen before a commit.
 #include "proptests/support/must.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
 
 namespace lgs::test {
 namespace {
@@ -25,26 +22,6 @@ TEST(Segments, UnknownIdsAreRefused) {
   EXPECT_TRUE(world.segment({3})) << "alive until the commit";
   world.commit();
   EXPECT_FALSE(world.segment({3}));
-}
-
-TEST(Segments, IdsOfTheRemovedAreUsedAgainOnlyByTheNextCommit) {
-  World world;
-  std::set<SegmentId> lastRemoved;
-  bool reused = false;
-  for (int k = 0; k < 60; ++k) {
-    const Cell cell{k % 4, k % 3};
-    removeAll(world, cell);
-    if (k % 5 != 0) place(world, cell, k % 2 ? ramp() : unitSquare());
-    const Changes& changes = world.commit();
-    for (const SegmentId id : changes.added) {
-      EXPECT_EQ(std::count(changes.removed.begin(), changes.removed.end(), id), 0);
-      reused |= lastRemoved.contains(id);
-    }
-    for (const SegmentId id : changes.removed) EXPECT_FALSE(world.segment(id));
-    lastRemoved = {changes.removed.begin(), changes.removed.end()};
-  }
-  EXPECT_TRUE(reused);
-  EXPECT_LT(world.maxSegmentId(), 120U) << "ids stay dense";
 }
 
 TEST(Segments, StayAsTheyAreWhileEditsAreNotCommitted) {

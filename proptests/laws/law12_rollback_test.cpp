@@ -1,54 +1,11 @@
-// Law 12, marks, groups and copies: to roll back to a mark, or to copy a world, is never having left.
-#include "oracle/trace/call_text.h"
-#include "oracle/trace/dump.h"
-#include "proptests/support/law.h"
+// Law 12, marks, groups and copies, by hand: that to roll back is never having left the checker sees.
 #include "proptests/support/must.h"
-#include "proptests/support/scale.h"
-#include "twins.h"
+#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
 namespace lgs::test {
 namespace {
-
-/// Makes calls, among them marks, to which it rolls back and which it forgets. The caller itself is told nothing.
-void wander(Caller& caller, const Setting& setting, const Calls& calls) {
-  Caller away(std::move(caller.world), setting.corner);
-  away.given = caller.given;
-  makeAll(away, calls);
-  caller.world = std::move(away.world);
-}
-
-/// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/reports/long-runs.md.
-TEST(RollBack, ALongGameOfPredictionsStaysInStep) {
-  const Setting setting{{30, -2}, [] {
-                          oracle::PreservePairs pairs;
-                          for (Block a = 0; a < 4; ++a)
-                            for (Block b = a + 1; b < 4; ++b) pairs.add(a, b);
-                          return pairs;
-                        }()};
-  Caller server = setting.start(), client = setting.start();
-  const std::int64_t frames = scaled(1'500);
-  for (std::int64_t frame = 0; frame < frames; ++frame) {
-    oracle::Random choices(testSeed() + static_cast<std::uint64_t>(frame));
-    const auto calls = [&choices] {
-      Calls some;
-      for (int k = choices.below(6); k > 0; --k) some.list.push_back(drawCall(choices, oracle::Habits()));
-      return some;
-    };
-    const Mark confirmed = client.world.mark();
-    for (int ahead = choices.below(4); ahead > 0; --ahead) {
-      wander(client, setting, calls());
-      client.world.commit();
-    }
-    ASSERT_TRUE(client.world.rollBack(confirmed));
-    ASSERT_TRUE(client.world.forget(confirmed));
-    ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, calls())) << "in frame " << frame;
-    if (frame % 16 != 0) continue;
-    ASSERT_EQ(oracle::outlineOf(client.world), outlineByLaws(client.world, setting.preserve)) << "in frame " << frame;
-    if (client.world.stats().shapes > 200) server = client = setting.start();  // shapes are never forgotten
-  }
-}
 
 TEST(RollBackByHand, MarksThatAreNoneAreRefused) {
   World world;

@@ -29,28 +29,6 @@ TEST(LeavingByHand, VoidsTheHandlesOfThesePlaces) {
   EXPECT_EQ(chunkOf(place(world, {3, 4}, unitSquare())), 3U);
 }
 
-TEST(LeavingByHand, AWorldWithoutThemIsSavedAndGoesOn) {
-  World world;
-  for (std::int32_t k = 0; k < 6; ++k) place(world, {32 * k, 0}, unitSquare());
-  for (const std::int32_t k : {0, 2, 3}) removeAll(world, {32 * k, 0});
-  world.commit();
-  EXPECT_EQ(std::to_integer<int>(saved(world)[7]), 1) << "the version of a world that has all numbers";
-  EXPECT_EQ(world.forgetChunks(kEverywhere), 3U);
-  const std::vector<std::byte> bytes = saved(world);
-  EXPECT_EQ(std::to_integer<int>(bytes[7]), 2);
-  World loaded = std::move(*World::load(bytes));
-  EXPECT_EQ(saved(loaded), bytes);
-  EXPECT_TRUE(samePolygons(world, loaded));
-  for (const std::uint32_t number : {1U, 3U, 4U, 7U, 8U}) {
-    const Cell cell{-32 * static_cast<std::int32_t>(number), 0};
-    const PolygonHandle here = place(world, cell, unitSquare());
-    EXPECT_EQ(chunkOf(here), number);
-    EXPECT_EQ(place(loaded, cell, unitSquare()), here);
-  }
-  EXPECT_EQ(copyOf(world.commit()), copyOf(loaded.commit()));
-  EXPECT_EQ(std::to_integer<int>(saved(world)[7]), 1) << "all numbers are in use again";
-}
-
 // With a thousand chunks they lie in slabs, several in each, which do not go with one of them.
 TEST(LeavingByHand, AChunkThatComesTakesThePlaceOfOneThatWent) {
   World world;

@@ -74,17 +74,6 @@ TEST(ManyEdits, TellTheHandlesOfWhatComesIntoEmptyCells) {
   for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(handles[k], world.polygons(placements[k].cell)[0].handle);
 }
 
-TEST(ManyEdits, LeaveNoNotesOfLaterOnes) {
-  World world;
-  const Placement placement{{0, 0}, shapeOf(world, {{{0, 0}, {U, 0}, {0, U}}, {{U, 0}, {U, U}, {0, U}}}), 1};
-  PolygonHandle handle;
-  ASSERT_TRUE(world.addMany({&placement, 1}, {&handle, 1}));
-  ASSERT_TRUE(world.setBlock(handle, 0));
-  const std::uint64_t bytes = world.stats().bytes;
-  for (Block block = 1; block <= 10'000; ++block) ASSERT_TRUE(world.setBlock(handle, block));
-  EXPECT_EQ(world.stats().bytes, bytes);
-}
-
 TEST(ManyEdits, OfOneCellGoTogether) {
   Stage stage = makeStage();
   const Placement twice[] = {{{9, 9}, stage.square, 1}, {{9, 9}, stage.square, 2}};

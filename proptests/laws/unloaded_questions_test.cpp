@@ -12,26 +12,6 @@
 namespace lgs::test {
 namespace {
 
-TEST(UnloadedByHand, AnUnknownPlaceCanCountAsSolid) {
-  World world = rowOfChunks(1);
-  fill(world, chunkAt(1, 0));
-  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
-  world.commit();
-  EXPECT_EQ(world.segments().size(), 96U) << "no wall towards it";
-  EXPECT_EQ(world.reloadEmpty(chunkAt(1, 0)), 1U);
-  EXPECT_EQ(world.commit().added.size(), 32U) << "it is known now, and there is nothing";
-}
-
-TEST(UnloadedByHand, AChainThatLeadsIntoWhatIsUnloadedIsNoLoop) {
-  World world = rowOfChunks(2);
-  Loops loops(world);
-  ASSERT_EQ(loops.all().size(), 1U);
-  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
-  ASSERT_TRUE(loops.update(world, world.commit()));
-  EXPECT_TRUE(loops.all().empty());
-  for (const SegmentId id : world.segments()) EXPECT_FALSE(loops.of(id));
-}
-
 TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
   World world = rowOfChunks(3);
   EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);

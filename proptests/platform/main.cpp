@@ -16,7 +16,7 @@ struct Part {
   void (*run)(platform::Hash& hash);
 };
 
-constexpr std::array<Part, 12> kParts{{
+constexpr std::array<Part, 11> kParts{{
     {"edits", platform::edits},
     {"relations", platform::relations},
     {"executor", platform::executor},
@@ -27,7 +27,6 @@ constexpr std::array<Part, 12> kParts{{
     {"views", platform::views},
     {"questions", platform::questions},
     {"radial", platform::radial},
-    {"c", platform::c},
     {"answers", platform::answers},
 }};
 

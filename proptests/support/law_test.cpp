@@ -85,37 +85,6 @@ TEST(Planted, AWallThatIsNotCut) {
   }));
 }
 
-TEST(Planted, AWrongTurnWhereSolidsTouch) {
-  expectSmall(huntedDown([](const Trace& trace) {
-    Outline wrong = outlineAfter(trace);
-    std::map<Point, std::vector<OutlineSegment*>> arriving;
-    for (OutlineSegment& s : wrong) arriving[s.end].push_back(&s);
-    for (auto& [at, segments] : arriving)
-      if (segments.size() == 2) std::swap(segments[0]->ghost2, segments[1]->ghost2);
-    return wrong;
-  }));
-}
-
-TEST(Planted, APreserveRelationThatIsNotAsked) {
-  expectSmall(huntedDown([](const Trace& trace) { return outlineAfter({{}, trace.calls}); }));
-}
-
-TEST(Planted, AnAddThatIsForgottenWhereTheCellWasEmptied) {
-  expectSmall(huntedDown([](const Trace& trace) {
-    oracle::Player player(trace.preserve);
-    std::map<std::string, Cell> cellOf;
-    std::set<Cell> emptied;  // since the last commit
-    for (const Call& edit : trace.calls) {
-      if (edit.kind == Call::Kind::commit) emptied.clear();
-      if (edit.kind == Call::Kind::remove) emptied.insert(cellOf[edit.name()]);
-      if (edit.kind == Call::Kind::add && emptied.contains(cellOf[edit.name()] = edit.polygon().cell)) continue;
-      if (edit.kind != Call::Kind::commit) static_cast<void>(player.apply(edit));
-    }
-    player.commit();
-    return oracle::outlineOf(player.world());
-  }));
-}
-
 TEST(Planted, AnExpectationThatFails) {
   const Failure failure = huntedDown([](const Trace& trace) {
     for (const Call& edit : trace.calls) EXPECT_NE(edit.polygon().vertices.size(), 5U);

@@ -1,8 +1,7 @@
-// The view of islands by example: what is cut off, foreseen, taken and put back. law15_views_test.cpp has the law.
+// The view of islands by example: what is cut off and foreseen. law15_views_test.cpp has the law.
 #include "oracle/calls/draw.h"
 #include "oracle/views/island_check.h"
 #include "proptests/laws/unloaded.h"
-#include "proptests/support/must.h"
 #include "proptests/support/worlds.h"
 
 #include <lgs/islands.h>
@@ -38,11 +37,6 @@ class Drawn {
   }
   void commit() {
     ASSERT_TRUE(islands.update(world, world.commit()));
-    EXPECT_EQ(check_.update(world, islands), std::nullopt);
-  }
-  void rollBack(Mark mark) {
-    ASSERT_TRUE(world.rollBack(mark));
-    ASSERT_TRUE(islands.update(world, world.changesOfRollBack()));
     EXPECT_EQ(check_.update(world, islands), std::nullopt);
   }
 
@@ -93,19 +87,6 @@ TEST(IslandViewByHand, ABridgeThatIsCutLetsItsEndFall) {
   EXPECT_TRUE(d.islands.loose().empty());
 }
 
-TEST(IslandViewByHand, WhatNothingHoldsIsNamedOnceHoweverItCameToThat) {
-  Drawn d({"#.B.#B##.##", "..........."});
-  EXPECT_TRUE(d.islands.loose().empty()) << "nothing has changed yet";
-  d.become({"#.#.#B.#.##", "#.........."});  // an anchor is gone; a cut; one that held nobody before, and grows
-  std::vector<IslandId> expected{d.at({0, 1}), d.at({2, 1}), d.at({7, 1})};
-  std::ranges::sort(expected);
-  EXPECT_EQ(d.islands.loose(), expected);
-  d.become({"###.#B.####", "#.........."});  // two times two become one
-  expected = {d.at({0, 1}), d.at({7, 1})};
-  std::ranges::sort(expected);
-  EXPECT_EQ(d.islands.loose(), expected);
-}
-
 TEST(IslandViewByHand, WhatIsOnlyWalkedThroughIsTheSmallerPart) {
   Drawn d({std::string(100, '#')});
   const std::uint64_t before = d.islands.walked();
@@ -125,20 +106,6 @@ TEST(IslandViewByHand, AMoatCutsOffWhatItRunsAround) {
   EXPECT_EQ(d.anchors({3, 3}), 1U);
 }
 
-TEST(IslandViewByHand, AnIslandLiesInAHoleOfAnIslandInAHole) {
-  const std::vector<std::string> all{"#########", "#.......#", "#.#####.#", "#.#...#.#", "#.#.B.#.#",
-                                     "#.#...#.#", "#.#####.#", "#.......#", "#########"};
-  Drawn d(all, {30, -4});  // over the corner of four chunks
-  EXPECT_EQ(d.islands.all().size(), 3U);
-  EXPECT_EQ(d.anchors({4, 4}), 1U);
-  EXPECT_EQ(d.anchors({2, 4}), 0U);
-  const auto body = must(take(d.world, d.islands, d.at({2, 4})));
-  EXPECT_EQ(body.polygons.size(), 16U);
-  d.commit();
-  EXPECT_EQ(d.islands.all().size(), 2U) << "what lies in its hole stays";
-  EXPECT_EQ(d.changes().removed.size(), 1U);
-}
-
 TEST(IslandViewByHand, ThatAnEditWouldCutSomethingOffIsKnownBeforeIt) {
   Drawn d({"B####"});
   const auto cut = [&](World& world) { return world.clear(Cell{2, 0}).has_value(); };
@@ -155,48 +122,6 @@ TEST(IslandViewByHand, ThatAnEditWouldCutSomethingOffIsKnownBeforeIt) {
   EXPECT_TRUE(nothing.changes.cutOff.empty());
   EXPECT_FALSE(d.world.isEmpty({1, 0})) << "what was edited before the refusal is undone as well";
   d.commit();
-}
-
-TEST(IslandViewByHand, ABodyGoesBackWhereItFits) {
-  Drawn d({"B.##", "B.#.", "BBBB"});
-  const auto id = d.at({2, 1});
-  EXPECT_EQ(id, d.at({0, 0})) << "it stands on the ground";
-  d.become({"B.##", "B.#.", "....", "BBBB"});
-  const Mark mark = d.world.mark();
-  const auto body = must(take(d.world, d.islands, d.at({2, 3})));
-  EXPECT_EQ(body.origin, (Cell{2, 2}));
-  EXPECT_EQ(body.mass.area, 3);
-  EXPECT_DOUBLE_EQ(body.mass.centroid.x, 2.5 / 3);
-  EXPECT_DOUBLE_EQ(body.mass.centroid.y, 3.5 / 3);
-  d.commit();
-  const auto refused = refusal(put(d.world, body, {2, 0}));
-  EXPECT_EQ(refused.code, ErrorCode::overlap);
-  EXPECT_EQ(refused.index, 0);
-  const auto later = refusal(put(d.world, body, {0, 1}));
-  EXPECT_EQ(later.index, 1);
-  EXPECT_TRUE(d.world.isEmpty({0, 1})) << "nothing of it was placed";
-  const auto placed = put(d.world, body, {2, 1});
-  ASSERT_TRUE(placed);
-  ASSERT_EQ(placed->size(), body.polygons.size());
-  for (std::size_t k = 0; k < placed->size(); ++k)
-    EXPECT_EQ(d.world.polygon((*placed)[k])->block, body.polygons[k].block);
-  d.commit();
-  EXPECT_EQ(d.at({3, 2}), d.at({0, 0}));
-  d.rollBack(mark);
-  EXPECT_EQ(d.islands.all().size(), 3U);
-  EXPECT_FALSE(put(d.world, body, {kMaxCell, 0}));
-  EXPECT_FALSE(take(d.world, d.islands, {}));
-}
-
-TEST(IslandViewByHand, TouchingCornersAreCutWhenItIsTakenApart) {
-  Drawn d({".##", "#..", "##."});
-  ASSERT_EQ(d.islands.all().size(), 1U);
-  const auto bodies = must(takeApart(d.world, d.islands, d.islands.all().front()));
-  ASSERT_EQ(bodies.size(), 2U);
-  EXPECT_EQ(bodies.front().mass.area, 3);
-  EXPECT_EQ(bodies.back().mass.area, 2);
-  d.commit();
-  EXPECT_TRUE(d.islands.all().empty());
 }
 
 /// By rational numbers of 128 bits, which are enough for a few cells.

@@ -1,5 +1,4 @@
-// The view of loops by example, and what it costs. law15_views_test.cpp has the law.
-#include "oracle/views/loop_check.h"
+// The view of loops: exact areas, and what an update costs. law15_views_test.cpp has the law.
 #include "proptests/support/worlds.h"
 
 #include <lgs/loops.h>
@@ -10,55 +9,6 @@
 
 namespace lgs::test {
 namespace {
-
-/// A world of whole cells in rows: '#' is solid. The first row is the upper one.
-World worldOf(const std::vector<std::string>& rows) {
-  World world;
-  for (std::size_t j = 0; j < rows.size(); ++j)
-    for (std::size_t i = 0; i < rows[j].size(); ++i)
-      if (rows[j][i] == '#')
-        place(world, {static_cast<std::int32_t>(i), static_cast<std::int32_t>(rows.size() - 1 - j)}, unitSquare());
-  world.commit();
-  return world;
-}
-
-double areaOf(const Loops& loops, LoopId id) { return loops.loop(id)->area(); }
-
-TEST(LoopViewByHand, ACutMakesTwoOfOneAndAJoinOneOfTwo) {
-  World world = worldOf({"#####"});
-  Loops loops(world);
-  ASSERT_EQ(loops.all().size(), 1U);
-  const LoopId whole = loops.all().front();
-  const LoopFacts before = *loops.loop(whole);
-  EXPECT_EQ(before.area(), 5);
-  EXPECT_EQ(before.segments, 12U);
-  ASSERT_TRUE(world.clear(Cell{3, 0}));
-  ASSERT_TRUE(loops.update(world, world.commit()));
-  ASSERT_EQ(loops.changes().split.size(), 1U);
-  const LoopPair split = loops.changes().split.front();
-  EXPECT_EQ(split.from, whole);
-  EXPECT_EQ(areaOf(loops, whole), 3) << "the part with more segments keeps the id";
-  EXPECT_EQ(areaOf(loops, split.into), 1);
-  EXPECT_EQ(loops.changes().changed, std::vector{whole});
-  EXPECT_EQ(loops.changes().before, std::vector{before});
-  EXPECT_TRUE(loops.changes().added.empty());
-  place(world, {3, 0}, unitSquare());
-  ASSERT_TRUE(loops.update(world, world.commit()));
-  EXPECT_EQ(loops.changes().joined, (std::vector{LoopPair{split.into, whole}}));
-  EXPECT_EQ(areaOf(loops, whole), 5);
-  EXPECT_FALSE(loops.loop(split.into));
-}
-
-TEST(LoopViewByHand, ChangesThatDoNotFitAreRefused) {
-  World world = worldOf({"##"});
-  Loops loops(world);
-  const World copy = world;
-  ASSERT_TRUE(world.clear(Cell{0, 0}));
-  world.commit();
-  ASSERT_TRUE(world.clear(Cell{1, 0}));
-  EXPECT_FALSE(loops.update(world, world.commit())) << "a commit was missed";
-  EXPECT_FALSE(oracle::LoopCheck().begin(copy, loops)) << "it shows what it showed";
-}
 
 TEST(LoopViewByHand, AreasAreExactAtTheEndsOfTheWorld) {
   World world;

@@ -106,24 +106,6 @@ TEST(PiecesByHand, WhereAPointIs) {
   EXPECT_EQ(at(0, 2), (PieceId{{-1, 0}, 0}));
 }
 
-TEST(PiecesByHand, WholeCellsAreMergedByRowsThenColumns) {
-  World world;
-  const ShapeId square = shapeOf(world, {unitSquare()}), halves = shapeOf(world, shapeNamed("two halves"));
-  ASSERT_TRUE(world.fill({{0, 0}, {3, 2}}, square, 1));
-  ASSERT_TRUE(world.replace({1, 1}, halves, 2));
-  ASSERT_TRUE(world.clear(Cell{3, 2}));
-  place(world, {3, 2}, ramp());
-  ASSERT_TRUE(world.fill({{0, 3}, {0, 3}}, square, 1));
-  const Pieces pieces(world);
-  const CellRect all{{0, 0}, {4, 3}};
-  EXPECT_EQ(pieces.wholeCells(all, Part::solid),
-            (std::vector<CellRect>{{{0, 0}, {3, 1}}, {{0, 2}, {2, 2}}, {{0, 3}, {0, 3}}}));
-  EXPECT_EQ(pieces.wholeCells(all, Part::free), (std::vector<CellRect>{{{4, 0}, {4, 2}}, {{1, 3}, {4, 3}}}));
-  EXPECT_TRUE(pieces.wholeCells({{1, 1}, {0, 5}}, Part::free).empty());
-  EXPECT_EQ(pieces.wholeCells({{kMaxCell, kMaxCell}, {kMaxCell + 2, kMaxCell + 2}}, Part::free),
-            (std::vector<CellRect>{{{kMaxCell, kMaxCell}, {kMaxCell, kMaxCell}}}));
-}
-
 TEST(PiecesByHand, EqualPolygonsAreWorkedOutOnce) {
   World world;
   const ShapeId shape = shapeOf(world, shapeNamed("comb"));

@@ -1,22 +1,18 @@
-// What a game on the web waits for: strokes, physics, drawing, large worlds. It prints the table "The web" of
+// What a game on the web waits for: physics, drawing, large worlds. It prints the table "The web" of
 // docs/internals/performance.md. Nanoseconds are of the processor, medians of rounds; subjects take turns in a round.
 //
-//   npm run game [ROWS]        (here, after what bench.mjs wants)      ROWS: strokes, tiles, worlds, spikes, sizes
+//   npm run game [ROWS]        (here, after what bench.mjs wants)      ROWS: tiles, worlds, spikes, sizes
 import { readFileSync } from 'node:fs'
-import { fileURLToPath } from 'node:url'
 import Clipper from 'clipper2-wasm/dist/es/clipper2z.js'
 import initIShape, { FillRule, Overlay, OverlayRule } from 'ishape_wasm'
-import { circle, createWorld, init, unitSquare } from 'localgridseg'
+import { createWorld, init, unitSquare } from 'localgridseg'
 import { OutlineLines } from 'localgridseg/draw'
 import { PlanckTerrain } from 'localgridseg/planck'
 import { Circle, EdgeShape, World as Physics } from 'planck'
 import polygonClipping from 'polygon-clipping'
-import { clipperStrokes, hole, holes } from './holes.mjs'
 import { randomNumbers, side } from './scenario.mjs'
 import { timed } from './package-subject.mjs'
-import { Native } from './subjects.mjs'
 
-const program = process.env.LGS_NATIVE ?? fileURLToPath(new URL('../../build/release/web/bench/lgs_web_native', import.meta.url))
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]
 const units = (ns) => (Math.abs(ns) < 1e3 ? `${Math.round(ns)} ns` : Math.abs(ns) < 1e6 ? `${(ns / 1e3).toPrecision(3)} µs` : `${(ns / 1e6).toPrecision(3)} ms`)
 const row = (...cells) => console.log(`| ${cells.join(' | ')} |`)
@@ -37,28 +33,6 @@ function fullWorld(cells) {
   const square = world.shape(unitSquare)
   world.fill({ i0: 0, j0: 0, i1: cells - 1, j1: cells - 1 }, square, 7)
   return { world, square, changes: world.commit() }
-}
-
-async function strokes() {
-  const { world } = fullWorld(side)
-  const native = new Native(program)
-  const others = await clipperStrokes()
-  const ours = () => {
-    const mark = world.mark(), random = randomNumbers()
-    const time = timed(() => {
-      for (const [x, y] of hole(random)) {
-        world.carve(circle(x, y, 3, 32))
-        world.commit()
-      }
-    })
-    world.rollBack(mark)
-    world.forget(mark)
-    return time / holes
-  }
-  const [web, wasm, c] = await rounds(15, [ours, others, async () => (await native.ask('strokes full'))[0]])
-  native.end()
-  row('stroke of radius 3 with its commit', units(web), `native ${units(c)}: ${(web / c).toFixed(2)}×`)
-  row("clipper2-wasm's difference of the touched cells", units(wasm), `stroke ÷ it: ${(web / wasm).toFixed(2)}`)
 }
 
 /**
@@ -207,7 +181,7 @@ async function sizes() {
 }
 
 await init()
-const all = { strokes, tiles, worlds, spikes: spiky, sizes }
+const all = { tiles, worlds, spikes: spiky, sizes }
 const chosen = process.argv.slice(2)
 row('work', 'now', 'beside it')
 row('---', '---', '---')

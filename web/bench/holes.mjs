@@ -1,4 +1,4 @@
-// Holes of radius 3 with 32 corners that do not meet, in full blocks; native.cpp carves the same. And the strongest
+// Holes of radius 3 with 32 corners that do not meet, in full blocks. And the strongest
 // neighbour at that: clipper2-wasm's difference of the cells that a hole touches.
 import Clipper from 'clipper2-wasm/dist/es/clipper2z.js'
 import { circle } from 'localgridseg'

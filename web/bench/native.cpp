@@ -1,7 +1,6 @@
 // The native engine, for bench.mjs beside it: the same edits as in scenario.mjs, and a sum of everything that was read.
-// For each line of input, `edits KIND COUNT`, `build KIND` or `strokes full`, it prints nanoseconds of the processor an
-// edit, a world or a stroke, and the sum.
-#include <lgs/brush.h>
+// For each line of input, `edits KIND COUNT` or `build KIND`, it prints nanoseconds of the processor an edit or a world,
+// and the sum.
 #include <lgs/world.h>
 
 #include <array>
@@ -66,28 +65,6 @@ class Scenario {
     }
   }
 
-  /// Holes that do not meet, as in game.mjs. Returns the time of one.
-  double carveHoles() {
-    constexpr unsigned kStrokes = 100, kInARow = 12, kRoom = 8;
-    constexpr std::int64_t kUnit = lgs::kUnitsPerCell;
-    const lgs::Mark mark = world_->mark();
-    std::minstd_rand random;
-    const double start = now();
-    for (unsigned k = 0; k < kStrokes; ++k) {
-      const auto coordinate = [&](unsigned place) {
-        const auto inCell = static_cast<std::int64_t>(random() % static_cast<unsigned>(kUnit));
-        return (kRoom * std::int64_t{place} + kRoom / 2) * kUnit + inCell;
-      };
-      const std::int64_t x = coordinate(k % kInARow), y = coordinate(k / kInARow);
-      if (!lgs::carve(*world_, lgs::circle({x, y}, 3 * kUnit, 32))) std::abort();
-      world_->commit();
-    }
-    const double time = now() - start;
-    must(world_->rollBack(mark));
-    must(world_->forget(mark));
-    return time / kStrokes;
-  }
-
   double sum() const { return sum_; }
 
  private:
@@ -146,13 +123,8 @@ int main() {
     if (task == "edits") std::cin >> count;
     Scenario& scenario = scenarios[task == "edits" ? k : 2 + k];
     const double start = now();
-    double time = 0;
-    if (task == "strokes") {
-      time = scenario.carveHoles();
-    } else {
-      task == "edits" ? scenario.edit(count) : scenario.makeWorld();
-      time = (now() - start) / count;
-    }
-    std::cout << static_cast<long long>(time) << ' ' << static_cast<long long>(scenario.sum()) << std::endl;
+    task == "edits" ? scenario.edit(count) : scenario.makeWorld();
+    std::cout << static_cast<long long>((now() - start) / count) << ' ' << static_cast<long long>(scenario.sum())
+              << std::endl;
   }
 }

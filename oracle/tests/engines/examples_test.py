@@ -17,9 +17,9 @@ ENGINES = ROOT / "examples/engines"
 
 # What compiles an engine, if anything has to, and how lgs is told of it. {source}, {made}: files.
 RUNS = {
+    "naive.py": ([], ["--engine", f"{shlex.quote(sys.executable)} {{source}}"]),
     "incremental.py": ([], ["--engine", f"{shlex.quote(sys.executable)} {{source}}"]),
     "squares.mjs": ([], ["--engine", "node {source}"]),
-    "squares.rs": (["rustc", "-O", "{source}", "-o", "{made}"], ["--engine", "{made}"]),
     "squares_so.c": (["cc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-shared", "-fPIC",
                       f"-I{ROOT}/oracle/engine/include", "{source}", "-o", "{made}"], ["--engine-so", "{made}"]),
     "squares_so.rs": (["rustc", "--edition", "2021", "-O", "--crate-type", "cdylib", "{source}", "-o", "{made}"],

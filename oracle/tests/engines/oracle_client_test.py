@@ -72,36 +72,6 @@ class Client(unittest.TestCase):
         done = subprocess.run([LGS, "oracle"], input=asked, stdout=subprocess.PIPE, text=True, check=True)
         self.assertEqual(done.stdout, answered)
 
-    def test_a_shared_edge_vanishes(self):
-        for which in ("both", "naive", "cgal"):
-            refused, outline = self.ask(f"add a 0 0 1 {SQUARE}", f"add b 1 0 2 {SQUARE}", oracle=which)
-            self.assertEqual(refused, [])
-            self.assertEqual(outline, {
-                (0, 0, U, 0): (f"0 {U}", f"{2 * U} 0", 1),
-                (U, 0, 2 * U, 0): ("0 0", f"{2 * U} {U}", 2),
-                (2 * U, 0, 2 * U, U): (f"{U} 0", f"{U} {U}", 2),
-                (2 * U, U, U, U): (f"{2 * U} 0", f"0 {U}", 2),
-                (U, U, 0, U): (f"{2 * U} {U}", "0 0", 1),
-                (0, U, 0, 0): (f"{U} {U}", f"{U} 0", 1),
-            })
-
-    def test_a_shared_edge_is_preserved(self):
-        world = f"add a 0 0 1 {SQUARE}", f"add b 1 0 2 {SQUARE}"
-        for which in ("both", "naive"):
-            _, outline = self.ask("preserve 2 1", "preserve 3 3", *world, oracle=which)
-            self.assertEqual(len(outline), 8)
-            self.assertEqual(outline[U, 0, U, U], ("0 0", f"0 {U}", 1))
-            self.assertEqual(outline[U, U, U, 0], (f"{2 * U} {U}", f"{2 * U} 0", 2))
-        self.assertEqual(len(self.ask("preserve 1 3", *world)[1]), 6)
-
-    def test_a_ghost_may_be_missing(self):
-        # Around (U, U) all edges vanish but a's right one and b's left one. These are on one ray, and lead nowhere.
-        refused, outline = self.ask("preserve 1 2", *(f"add {name} {cell} {SQUARE}" for name, cell in (
-            ("a", "0 0 1"), ("b", "1 0 2"), ("c", "0 1 3"), ("d", "1 1 3"))))
-        self.assertEqual((refused, len(outline)), ([], 10))
-        self.assertEqual(outline[U, 0, U, U], ("0 0", "- -", 1))
-        self.assertEqual(outline[U, U, U, 0], ("- -", f"{2 * U} 0", 2))
-
     def test_refuses_in_the_order_of_the_edits(self):
         refused, outline = self.ask(
             "remove ghost", f"add a 0 0 1 {SQUARE}", "add b 0 0 2 0 0 1 0 1 1", "add a 5 5 1 0 0 1 0 1 1",
@@ -173,14 +143,6 @@ class Client(unittest.TestCase):
         oracle = Oracle()
         oracle.write(f"add a 0 0 1 {SQUARE}", f"add a 0 0 1 {SQUARE}")
         self.assertEqual(oracle.end(), (0, ""))
-
-    def test_the_references_agree_where_corners_touch_walls(self):
-        world = ("add a 0 0 1 0 0 1 0 1 1 0 1", "add b 0 1 1 1/2 0 1 1 0 1", "add c 1 0 2 0 1/3 1 0 1 1",
-                 "add d 1 1 2 0 0 1/2 0 1/2 1/2 0 1/2", "add e 1 1 2 1/2 1/2 1 1/2 1 1")
-        answers = [self.ask(*world, oracle=which) for which in ("both", "naive", "cgal")]
-        self.assertEqual(answers[0], answers[1])
-        self.assertEqual(answers[0], answers[2])
-        self.assertIn((U // 2, U, 0, U), answers[0][1])  # the wall is cut
 
 
 if __name__ == "__main__":

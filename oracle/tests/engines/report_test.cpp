@@ -61,6 +61,8 @@ const std::vector<Canary> kCanaries{
        "in outline(list(polygons.values()), preserve):\n"
        "                points[2] = seen.setdefault((points[0], points[1]), points[2])"}}},
     {"order of edits matters", {{"del polygons[rest[0]]", "polygons.popitem()"}}},
+    {"wrong island", {{"not points.isdisjoint(f[0])", "len(points & f[0]) > 1"}}},
+    {"wrong island", {{"area += other[1]", "pass"}}},
     {"refusal", {{"several preserve", "several refuses"}, {"del polygons[rest[0]]", "polygons.pop(rest[0], None)"}}},
     {"protocol", {{"del polygons[rest[0]]", "polygons or 0; print('removed')"}}},
     {"crash", {{"del polygons[rest[0]]", "polygons or 0; sys.exit(7)"}}},

@@ -101,23 +101,6 @@ test('under a preserve relation edges end where no other goes on: their ghosts a
   world.free()
 })
 
-test('changes that were left out are an error, and resync() repairs it', () => {
-  const world = floorOf(4), physics = makePhysics()
-  const terrain = new Box2dTerrain(b2, physics, world)
-  world.clear(1, 0)
-  world.commit()
-  world.clear(2, 0)
-  assert.throws(() => terrain.sync(world.commit()), /resync/)
-  terrain.resync()
-  assertShows(terrain, world)
-  terrain.sync(world.commit()) // nothing changed
-  terrain.destroy()
-  assert.equal(terrain.shape(world.segments().id[0]), null)
-  assert.equal(b2.b2World_GetCounters(physics).bodyCount, 0)
-  b2.b2DestroyWorld(physics)
-  world.free()
-})
-
 test('a body that sleeps wakes up when the ground below it goes, or appears at it', () => {
   const world = floorOf(4), physics = makePhysics()
   const terrain = new Box2dTerrain(b2, physics, world)
@@ -137,23 +120,6 @@ test('a body that sleeps wakes up when the ground below it goes, or appears at i
   terrain.sync(world.commit())
   assert.equal(b2.b2Body_IsAwake(ball), true)
   assert.ok(ride(physics, ball, 60).at(-1)[1] < 0)
-  b2.b2DestroyWorld(physics)
-  world.free()
-})
-
-test('which tile was hit', () => {
-  const world = floorOf(4), physics = makePhysics()
-  const terrain = new Box2dTerrain(b2, physics, world)
-  const ray = b2.b2World_CastRayClosest(physics, vec(2.5, 3), vec(0, -6), b2.b2DefaultQueryFilter())
-  const { i, j, block } = terrain.hit(ray.shapeId)
-  assert.deepEqual([i, j, block], [2, 0, 1])
-  const ball = makeBody(physics, { ball: 0.3, x: 9, y: 9 })
-  const [other] = b2.b2Body_GetShapes(ball, 1)
-  assert.equal(terrain.hit(other), null)
-  const gone = ray.shapeId
-  world.clear(2, 0)
-  terrain.sync(world.commit())
-  assert.equal(terrain.segment(gone), 0)
   b2.b2DestroyWorld(physics)
   world.free()
 })

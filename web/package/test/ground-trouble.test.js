@@ -1,4 +1,4 @@
-// A Ground in trouble: windows in any order, functions of the game that throw or that change the ground while it changes,
+// A Ground in trouble: functions of the game that throw or that change the ground while it changes,
 // and bytes that are damaged. A call does all or nothing, and the next one works.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
@@ -6,80 +6,13 @@ import fc from 'fast-check'
 import { Circle, World as Physics } from 'planck'
 import { Ground, init, LgsError, unitSquare } from 'localgridseg/islands'
 import { Ground as PlanckGround } from 'localgridseg/planck'
-import { allOf, anchors, bedrock, land, matterOf, pillar, refuses, solidOf, square, steps, withPlanck } from './ground.js'
+import { allOf, anchors, bedrock, land, matterOf, pillar, refuses, square, steps, withPlanck } from './ground.js'
 
 before(() => init())
 
 const scale = Math.max(1, Number(process.env.LGS_TEST_SCALE ?? 0))
 
 const cells = (i0, j0, i1 = i0, j1 = j0) => ({ i0, j0, i1, j1 })
-
-// --- Windows
-
-const columns = [-40, -20, 1, 1, 2, 10, 10, 31, 32, 50]
-const strokes = {
-  cut: (world, i) => -world.clear(cells(i, 4)),
-  mend: (world, i) => world.fill(cells(i, 4), world.shape(unitSquare), 2),
-  prop: (world, i) => world.fill(cells(i, 0, i, 3), world.shape(unitSquare), bedrock),
-  topple: (world) => -world.clear(cells(0, 0, 0, 3)),
-}
-const moves = fc.array(fc.oneof(
-  { weight: 4, arbitrary: fc.constantFrom(...columns).map((i) => ['cut', i]) },
-  { weight: 2, arbitrary: fc.constantFrom(...columns).map((i) => ['mend', i]) },
-  { weight: 2, arbitrary: fc.constantFrom(...columns).map((i) => ['prop', i]) },
-  { weight: 1, arbitrary: fc.constant(['topple', 0]) },
-  { weight: 5, arbitrary: fc.constant(['undo']) },
-  { weight: 4, arbitrary: fc.constant(['redo']) },
-  { weight: 7, arbitrary: fc.constantFrom([0, 31], [0, 31], [-64, 95], [-64, 95], [0, 63], [300, 301]).map(([i0, i1]) => ['window', cells(i0, -1, i1, 10)]) },
-), { minLength: 6, maxLength: 20, size: 'max' })
-
-/** A beam on a pillar, over several chunks, of which now these and now those are in memory. */
-function stream(game, make) {
-  const ground = make()
-  ground.edit((world) => {
-    world.fill(cells(-50, -1, 80, -1), world.shape(unitSquare), bedrock)
-    world.fill(cells(0, 0, 0, 3), world.shape(unitSquare), 1)
-    world.fill(cells(-40, 4, 70, 4), world.shape(unitSquare), 2)
-  })
-  ground.forgetUndo()
-  let now = allOf(ground), moments = [now], at = 0 // the ground right after each stroke
-  for (const [what, how] of game) {
-    let more = 0, went = false
-    try {
-      if (strokes[what]) more = ground.edit((world) => strokes[what](world, how))
-      else if (what === 'window') for (let k = 0; !ground.window(how); ++k) assert.ok(k < 100, 'it never comes in')
-      else went = ground[what]()
-    } catch (error) {
-      if (!(error instanceof LgsError)) throw error
-      assert.ok(['overlap', 'unloaded'].includes(error.code), error.message)
-      assert.deepEqual(allOf(ground), now, 'what is refused changes nothing')
-      continue
-    }
-    const { matter } = now
-    now = allOf(ground)
-    if (strokes[what]) moments = [...moments.slice(0, ++at), now]
-    if (went) at += what === 'undo' ? -1 : 1
-    assert.equal(now.matter, went ? moments[at].matter : matter + more)
-    if (went && !ground.terrain) assert.deepEqual(now.cells, moments[at].cells) // law 13 moves bodies
-    if (what === 'window') assert.equal(ground.world.firstUnloaded(how), null)
-    assert.deepEqual([ground.canUndo, ground.canRedo], [at > 0, at + 1 < moments.length])
-    const { islands } = ground
-    if (!ground.canRedo) assert.ok(islands.all().every((id) => islands.island(id).anchors > 0), 'nothing hangs in the air')
-  }
-  ground.free()
-}
-
-for (const [name, make] of [['without physics', () => new Ground({ anchors })], ['with planck', () => withPlanck().ground],
-  ['chunk by chunk', () => new Ground({ anchors, chunksAtOnce: 1 })]])
-  test(`strokes, undo and redo under windows that move, ${name}: all matter is there, and what is loose falls`, () => {
-    fc.assert(fc.property(moves, (game) => stream(game, make)), { numRuns: 15 * scale })
-  })
-
-test('what an edge of memory held falls when all is in memory, after an undo and a redo too', () => {
-  const some = ['window', cells(0, -1, 31, 10)], all = ['window', cells(-64, -1, 95, 10)]
-  for (const game of [[some, ['cut', 1], all, ['undo'], ['redo']], [some, ['cut', 1], ['prop', 10], all, ['undo'], ['cut', 20]], [some, ['cut', 1], ['undo'], all, ['redo']]])
-    stream(game, () => new Ground({ anchors }))
-})
 
 // --- Functions that throw, or that change the ground while it changes
 

@@ -1,10 +1,11 @@
-// Islands, against a flood fill by hand that shares no code with them: all pairs of polygons, with whole numbers.
+// Islands, against a flood fill.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
 import { OutlineLines } from 'localgridseg/draw'
 import { circle, convexParts, createWorld, init, Islands, loadWorld, massOf, unitSquare } from 'localgridseg/islands'
 import { Pieces } from 'localgridseg/pieces'
+import { areaOf, assertIsFlood, bedrock, isHeld } from './flood.js'
 
 before(() => init())
 
@@ -13,60 +14,6 @@ const shapes = [
   [0, 0, 4, 0, 4, 4, 0, 4], [0, 0, 4, 0, 4, 4], [0, 0, 4, 4, 0, 4], [1, 1, 3, 1, 3, 3, 1, 3], [0, 0, 4, 0, 4, 1, 0, 1],
   [2, 0, 4, 2, 2, 4, 0, 2], [0, 0, 1, 0, 1, 4, 0, 4],
 ]
-const bedrock = 9
-
-/** In quarters of a cell: x, y, x, y, … */
-const corners = ({ i, j, vertices }) => Array.from(vertices, (v, k) => 4 * v + 4 * (k % 2 === 0 ? i : j))
-
-function turn(a, b, c, d, e, f) { return Math.sign((c - a) * (f - b) - (d - b) * (e - a)) }
-
-function edgesMeet([a, b, c, d], [e, f, g, h]) {
-  if (Math.max(a, c) < Math.min(e, g) || Math.max(e, g) < Math.min(a, c)) return false
-  if (Math.max(b, d) < Math.min(f, h) || Math.max(f, h) < Math.min(b, d)) return false
-  return turn(a, b, c, d, e, f) * turn(a, b, c, d, g, h) <= 0 && turn(e, f, g, h, a, b) * turn(e, f, g, h, c, d) <= 0
-}
-
-function edgesOf(polygon) {
-  const v = corners(polygon)
-  return Array.from({ length: v.length / 2 }, (_, k) => [v[2 * k], v[2 * k + 1], v[(2 * k + 2) % v.length], v[(2 * k + 3) % v.length]])
-}
-
-/** Sets of polygons that share at least a point. */
-function flood(polygons) {
-  const edges = polygons.map(edgesOf), left = new Set(polygons.keys()), found = []
-  while (left.size > 0) {
-    const [first] = left, part = [first]
-    left.delete(first)
-    for (const a of part)
-      for (const b of [...left])
-        if (edges[a].some((e) => edges[b].some((f) => edgesMeet(e, f)))) {
-          left.delete(b)
-          part.push(b)
-        }
-    found.push(part.map((k) => polygons[k]))
-  }
-  return found
-}
-
-const areaOf = (polygon) => edgesOf(polygon).reduce((sum, [a, b, c, d]) => sum + a * d - b * c, 0) / 32
-const isHeld = (part) => part.some(({ block }) => block === bedrock)
-const keyOf = (part) => part.map(({ id }) => id).sort((a, b) => a - b).join()
-
-function assertIsFlood(islands, world) {
-  const parts = flood(world.polygons())
-  const byId = new Map(parts.map((part) => [islands.of(part[0].id), part]))
-  assert.deepEqual([...byId.keys()].sort((a, b) => a - b), islands.all())
-  assert.equal(byId.size, parts.length)
-  for (const [id, part] of byId) {
-    for (const polygon of part) assert.equal(islands.of(polygon.id), id)
-    const { area, x0, y0, x1, y1, anchors } = islands.island(id)
-    const xs = part.flatMap((p) => corners(p).filter((_, k) => k % 2 === 0)), ys = part.flatMap((p) => corners(p).filter((_, k) => k % 2 === 1))
-    assert.deepEqual([x0, y0, x1, y1].map((v) => 4 * v), [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)])
-    assert.equal(anchors, part.filter(({ block }) => block === bedrock).length)
-    assert.ok(area >= part.reduce((sum, p) => sum + areaOf(p), 0), 'holes count')
-  }
-  return byId
-}
 
 const edit = fc.record({ i: fc.nat(5), j: fc.nat(5), shape: fc.nat(shapes.length), block: fc.constantFrom(1, 1, 1, 1, 1, 2, bedrock) })
 const commits = fc.array(fc.array(edit, { minLength: 1, maxLength: 12 }), { minLength: 1, maxLength: 12 })
@@ -382,62 +329,6 @@ test('a change of blocks alone is followed; the same changes twice are nothing',
   world.free()
   assert.throws(() => islands.all(), code('freed'))
   islands.free()
-})
-
-test('an anchor that is buried, and shows no segment, is followed', () => {
-  const world = createWorld(), square = world.shape(unitSquare)
-  world.fill({ i0: 0, j0: 0, i1: 2, j1: 2 }, square, 1)
-  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
-  world.commit()
-  const islands = new Islands(world, { blocks: [bedrock] })
-  assert.equal(islands.island(islands.all()[0]).anchors, 1)
-  world.setBlock(world.polygonsAt(1, 1)[0].id, 2)
-  const changes = world.commit()
-  assert.deepEqual([changes.removed.length, changes.added.id.length, changes.relinked.id.length], [0, 0, 0])
-  assert.notEqual(changes.before, changes.after, "who missed it must see that")
-  islands.update(changes)
-  assert.deepEqual(islands.loose(), islands.all())
-  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
-  world.commit()
-  world.clear(0, 0)
-  const later = world.commit()
-  assert.throws(() => islands.update(later), code('left-out'))
-  islands.free()
-  world.free()
-})
-
-test('hostile arguments end in an LgsError', () => {
-  const world = arm(), islands = new Islands(world), body = islands.take(islands.all()[0])
-  const polygon = body.polygons[0], square = [0, 0, 1, 0, 1, 1, 0, 1]
-  const odd = [null, undefined, {}, [], 'x', NaN, -1, 2 ** 32, 0.5, 1e300, Infinity, () => 1]
-  const refusedOr = (f) => { try { f() } catch (error) { assert.equal(error.name, 'LgsError', error.stack) } }
-  for (const v of odd) {
-    for (const f of [
-      () => new Islands(v), () => new Islands(world, v), () => new Islands(world, { blocks: v }), () => new Islands(world, { blocks: [v] }),
-      () => new Islands(world, { cells: v }), () => new Islands(world, { cells: [v] }), () => new Islands(world, { cells: [{ i0: v, j0: 0, i1: 0, j1: 0 }] }),
-      () => islands.update(v), () => islands.island(v), () => islands.of(v), () => islands.take(v), () => islands.takeApart(v), () => islands.foresee(v),
-      () => islands.put(v, 0, 0), () => islands.put(v), () => islands.put(body, v, 0), () => islands.putAsItLies(v, { x: 0, y: 0, angle: 0 }),
-      () => islands.putAsItLies(body, v), () => islands.putAsItLies(body, { x: v, y: 0, angle: 0 }), () => islands.putAsItLies(body, { x: 0, y: 0, angle: v }),
-      () => convexParts(v), () => convexParts(body, v), () => massOf(v), () => massOf([v]), () => massOf([{ ...polygon, i: v }]),
-      () => massOf([{ ...polygon, block: v }]), () => massOf([{ ...polygon, vertices: v }]), () => massOf([{ ...polygon, vertices: [v, ...square] }]),
-      () => convexParts({ polygons: [{ ...polygon, vertices: [v, v, ...square] }] }),
-    ]) refusedOr(f)
-  }
-  for (const i of [2 ** 31 - 1, -(2 ** 31), 2 ** 30 + 1]) {
-    assert.throws(() => massOf([{ i, j: i, block: 1, vertices: square }]), code('cell-out-of-range'))
-    assert.throws(() => convexParts({ polygons: [{ i, j: i, block: 1, vertices: square }] }), code('cell-out-of-range'))
-    assert.throws(() => islands.put(body, i, i), code('cell-out-of-range'))
-  }
-  assert.throws(() => massOf([{ i: 0, j: 0, block: 1, vertices: [0, 0, 1, 1, 1, 0] }]), code('clockwise'))
-  assert.throws(() => massOf([polygon, polygon]), code('overlap'))
-  assert.throws(() => massOf([{ i: 0, j: 0, block: 1, vertices: [0, 0, 1, 0, 1, 1.5] }]), code('bad-argument'))
-  assert.deepEqual(massOf([]), { area: 0, x: 0, y: 0, secondMoment: 0 })
-  assert.deepEqual(convexParts({ polygons: [] }), [])
-  islands.put({ i: 0, j: 0, polygons: [] })
-  islands.putAsItLies(body, { x: 2 ** 29, y: -(2 ** 29), angle: 1e9 })
-  assert.throws(() => islands.putAsItLies(body, { x: 2 ** 40, y: 0, angle: 0 }), (error) => error.name === 'LgsError')
-  world.commit()
-  world.free()
 })
 
 test('a world that was loaded has islands, too', () => {

@@ -48,24 +48,6 @@ test('a square has four segments, each with its ghosts, block, cell and owner', 
   }
 })
 
-test('a commit tells what was removed, added and relinked', () => {
-  const { world, square } = floor(3)
-  world.commit()
-  assert.equal(world.clear(1, 0), 1)
-  const dug = world.commit()
-  assert.equal(dug.removed.length, 2)
-  assert.equal(dug.added.length, 2)
-  assert.deepEqual(sorted(dug.added), [[1, 0, 1, 1, 0, 0, 0, 1], [2, 1, 2, 0, 3, 1, 3, 0]])
-  assert.equal(dug.relinked.length, 4)
-  world.add(1, 0, square, 1)
-  const filled = world.commit().copy()
-  assert.equal(filled.removed.length, 2)
-  assert.equal(filled.added.length, 2)
-  assert.equal(world.segments().length, 8)
-  assert.equal(world.commit().added.length, 0)
-  assert.equal(filled.added.length, 2)
-})
-
 test('versions lead from one commit to the next', () => {
   const { world, square } = floor(1)
   const first = world.commit()
@@ -251,34 +233,6 @@ test('marks: there and back', () => {
   fails('unknown-mark', () => world.rollBack(mark))
   fails('unknown-mark', () => world.forget(mark))
   fails('unknown-mark', () => world.rollBack(0))
-})
-
-test('redo: what was undone comes back with its handles and ids', () => {
-  const { world } = floor(3)
-  world.commit()
-  const marks = [world.mark()]
-  const states = [world.save()]
-  for (const x of [0.5, 1.5, 2.5]) {
-    world.carve(circle(x, 0.5, 0.4))
-    world.commit()
-    marks.push(world.mark())
-    states.push(world.save())
-  }
-  world.rollBack(marks[0], 'keep')
-  for (const k of [1, 3]) {
-    const forth = world.redo(marks[k])
-    assert.ok(forth.added.length > 0)
-    assert.deepEqual(world.save(), states[k])
-  }
-  world.rollBack(marks[1], 'keep')
-  world.clear(0, 0)
-  fails('unknown-mark', () => world.redo(marks[2])) // something was edited since
-  world.rollBack(marks[1])
-  world.redo(marks[2]) // and that was undone
-  assert.deepEqual(world.save(), states[2])
-  world.rollBack(marks[0])
-  fails('unknown-mark', () => world.redo(marks[2])) // nothing was kept
-  fails('bad-argument', () => world.rollBack(marks[1], 'forget'))
 })
 
 test('a preserve relation keeps edges, and is asked once for each pair', () => {

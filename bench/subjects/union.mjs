@@ -2,8 +2,9 @@
 // first line is all polygons, as one JSON array of rings. Then it answers each "build" with "built", and each "read" with
 // the rings of the union as JSON: [[outer, hole, ...], ...].
 import { createInterface } from 'node:readline'
-import polygonClipping from 'polygon-clipping'
+import { createRequire } from 'node:module'
 
+const polygonClipping = createRequire(new URL('../../examples/engines/', import.meta.url))('polygon-clipping')
 let polygons
 let united
 const answers = {
