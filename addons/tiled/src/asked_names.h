@@ -18,7 +18,7 @@ class AskedNames {
   /// Names that the maps have, be they imported or not.
   void see(const Tileset& tileset);
   void see(const Layer& layer);
-  void see(const CollisionObject& object) { see(object.className, object.name, object.properties); }
+  void see(const Called& called);
 
   /// A note for each name or value that nothing has which was seen. What decides on what is solid makes a part.
   void report(Report& report) const;
@@ -31,8 +31,6 @@ class AskedNames {
       if (!asked.empty()) seen.insert(name);
     }
   };
-
-  void see(const std::string& className, const std::string& name, const Properties& properties);
 
   BlockFrom blockFrom_;
   Names properties_, blocks_, leftOut_, tilesets_;

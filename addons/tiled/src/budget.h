@@ -13,7 +13,13 @@ namespace lgs::tiled {
 class Budget {
  public:
   explicit Budget(const Options& options)
-      : bytes_(options.maxBytes), steps_(options.maxWork), cells_(options.maxObjectCells) {}
+      : bytes_(options.maxBytes), steps_(options.maxWork), cells_(options.maxObjectCells) {
+    refill(options);
+  }
+
+  /// All the tiles may be read again, and polygons placed: for another pass.
+  void refill(const Options& options) { tiles = options.maxTiles, placements = options.maxPlacements; }
+  std::size_t tiles = 0, placements = 0;  ///< that are left
 
   /// Takes the bytes of a file that was read, and allows for what they may cost. False if they are too many.
   [[nodiscard]] bool read(std::size_t bytes);

@@ -60,8 +60,7 @@ struct Facts {
   bool isLdtk = false;
 };
 
-/// Takes the census of all layers that the options want. Tiles that are read are taken from `tilesLeft`. A problem goes
-/// into the map's file.
-Facts census(const Maps& maps, const Options& options, std::size_t& tilesLeft);
+/// Takes the census of all layers that the options want. A problem goes into the map's file.
+Facts census(const Maps& maps, const Options& options);
 
 }  // namespace lgs::tiled

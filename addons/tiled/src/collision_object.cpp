@@ -1,5 +1,6 @@
 #include "collision_object.h"
 
+#include "json.h"
 #include "words.h"
 
 #include <algorithm>
@@ -45,27 +46,17 @@ void readKind(const XmlFile& file, pugi::xml_node node, CollisionObject& object)
 /// An object of a template: what it says itself, and else what the template says.
 void merge(pugi::xml_node instance, pugi::xml_node origin, pugi::xml_document& merged) {
   pugi::xml_node node = merged.append_copy(origin);
-  for (const auto attribute : instance.attributes()) {
-    if (std::string_view(attribute.name()) == "template") continue;
-    node.remove_attribute(attribute.name());
-    node.append_attribute(attribute.name()) = attribute.value();
+  for (const auto attribute : instance.attributes()) setAttribute(node, attribute.name(), attribute.value());
+  for (const auto child : instance.children()) {
+    if (std::string_view(child.name()) != "properties") node.remove_child(child.name());
+    node.append_copy(child);
   }
-  for (const char* shape : {"polygon", "polyline", "ellipse", "capsule", "point", "text"}) {
-    if (!instance.child(shape)) continue;
-    node.remove_child(shape);
-    node.append_copy(instance.child(shape));
-  }
-  auto properties = node.child("properties");
-  if (!properties) properties = node.append_child("properties");
-  for (const auto property : instance.child("properties").children()) properties.append_copy(property);
 }
 
 CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint offset) {
   CollisionObject object;
+  static_cast<Called&>(object) = calledOf(node);
   object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
-  object.className = classOf(node);
-  object.name = node.attribute("name").value();
-  object.properties = propertiesOf(node);
   object.at = {file.real(node, "x") + offset.x, file.real(node, "y") + offset.y};
   object.size = {file.real(node, "width"), file.real(node, "height")};
   object.rotation = file.real(node, "rotation");
@@ -170,16 +161,15 @@ CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint
   return object;
 }
 
-bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
-               const Properties& properties) {
+bool isLeftOut(const Called& called, const Options& options) {
   return std::any_of(options.leaveOut.begin(), options.leaveOut.end(), [&](const std::string& rule) {
-    return (!className.empty() && rule == className) || (!name.empty() && rule == name) ||
-           (rule.find('=') != std::string::npos && firstFit({rule}, properties));
+    return (!rule.empty() && (rule == called.className || rule == called.name)) ||
+           (rule.find('=') != std::string::npos && firstFit({rule}, called.properties));
   });
 }
 
 CollisionObject asAsked(CollisionObject object, const Options& options) {
-  const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
+  const bool isNotAsked = isLeftOut(object, options);
   if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
   if (object.kind == Kind::unsupported) return object;
   if (isNotAsked) {

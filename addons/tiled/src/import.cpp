@@ -26,8 +26,8 @@ std::string leftOutAsAsked(const Report& report) {
 
 class Import {
  public:
-  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left)
-      : options_(options), first_(file), maps_(maps), left_(left), budget_(budget) {
+  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget)
+      : options_(options), first_(file), maps_(maps), budget_(budget) {
     map_.report.file = file.name();
   }
 
@@ -36,8 +36,8 @@ class Import {
     for (const auto& map : maps_) {
       if (!failed()) readMap(*map);
     }
-    if (!failed()) names_.tiles.checkAll(first_, "tile");
-    if (!failed()) names_.objects.checkAll(first_, "object");
+    if (!failed()) names_.tiles.checkAll(first_, "tile", map_.report.layers);
+    if (!failed()) names_.objects.checkAll(first_, "object", map_.report.layers);
     if (!failed()) placer_.finish(map_);
     if (!failed()) checkBudget(first_.root());
     if (failed()) return tl::unexpected(*first_.error());
@@ -107,8 +107,8 @@ class Import {
     Report& report = map_.report;
     const bool isFirst = source_ == maps_.front().get();
     if (!isFirst && (tileWidth != report.tileWidth || tileHeight != report.tileHeight)) {
-      return first_.fail(source_->entry.node,
-                         source_->entry.name +
+      return first_.fail(source_->place.entry,
+                         source_->place.file +
                              " has tiles of another size than the maps before it. One tile becomes one "
                              "cell of the world, so all must have the same");
     }
@@ -153,9 +153,9 @@ class Import {
   }
 
   bool spend(std::size_t placements) {
-    const bool enough = placements <= left_.placements;
+    const bool enough = placements <= budget_.placements;
     if (!enough) file().fail(file().root(), "the map has more polygons than the limit", "maxPlacements");
-    left_.placements -= enough ? placements : 0;
+    budget_.placements -= enough ? placements : 0;
     return enough;
   }
 
@@ -181,7 +181,7 @@ class Import {
       report.note = concat("shifted by ", pixels(current.rest.x), ", ", pixels(current.rest.y),
                            " against the grid: its polygons reach out of their cells");
     }
-    readTiles(file(), layer, left_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
+    readTiles(file(), layer, budget_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
       ++report.tiles;
       placeTile(current, column + current.columns, row + current.rows, gid);
     });
@@ -273,7 +273,6 @@ class Import {
   const Options& options_;
   const XmlFile& first_;  // the map or the world
   const Maps& maps_;
-  Limits& left_;
   Budget& budget_;
   LayerNames names_{options_};
   AskedNames asked_{options_};
@@ -293,8 +292,8 @@ class Import {
 }  // namespace
 
 tl::expected<ImportedMap, ImportError> importMaps(const XmlFile& file, const Maps& maps, const Options& options,
-                                                  Budget& budget, Limits& left) {
-  return Import(file, maps, options, budget, left).run();
+                                                  Budget& budget) {
+  return Import(file, maps, options, budget).run();
 }
 
 }  // namespace lgs::tiled

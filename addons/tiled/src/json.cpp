@@ -109,10 +109,7 @@ tl::expected<Json, ImportError> parseJson(std::string_view text, bool mayQuote) 
   return Json::parse(text.begin(), text.end(), nullptr, false);
 }
 
-bool JsonPlace::is(const char* key) const {
-  const Json& flag = *(*this)[key].value;
-  return flag.is_boolean() && flag.get<bool>();
-}
+bool JsonPlace::is(const char* key) const { return *(*this)[key].value == Json(true); }
 
 JsonPlace JsonPlace::operator[](const char* key) const {
   JsonPlace result{&kNoJson, concat(path, path.empty() ? "" : "/", key), file};
@@ -135,11 +132,8 @@ std::string numberText(double value) {
 
 std::optional<std::string> scalarText(const Json& value) {
   if (value.is_string()) return value.get_ref<const std::string&>();
-  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-  if (value.is_number_unsigned()) return std::to_string(value.get<std::uint64_t>());
-  if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
   if (value.is_number_float()) return numberText(value.get<double>());
-  return std::nullopt;
+  return value.is_boolean() || value.is_number() ? std::optional(value.dump()) : std::nullopt;
 }
 
 void JsonPlace::fail(std::string what) const {

@@ -13,6 +13,8 @@ namespace {
 constexpr int kMaxDepth = 64;               // of groups in groups
 constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place; far below kMaxCell
 
+constexpr const char* kOnlyDrawn = "tiles that are only drawn";
+
 /// Goes through the tree of groups.
 class Lister {
  public:
@@ -45,9 +47,6 @@ class Lister {
       self.offset.y += file_.real(child, "offsety");
       if (group || tiles) self.wanted = names_.tiles.fit(self) || self.wanted;
       if (group || objects) self.areObjectsAsked = names_.objects.fit(self) || self.areObjectsAsked;
-      if (tiles) names_.objects.seeOther(self, "a tile layer: --layer ");
-      if (objects) names_.tiles.seeOther(self, "an object layer: --objects ");
-      if (isDrawn) names_.tiles.seeOther(self, "a layer of tiles that are only drawn: --solid --layer ");
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
       } else if (self.depth > kMaxDepth) {
@@ -76,11 +75,11 @@ class Lister {
       chooseObjects(layer);
     } else if (kind == LayerKind::image) {
       layer.wanted = false;
-      layer.remark = layer.node.attribute(kDrawnAttribute) ? "tiles that are only drawn" : "an image";
+      layer.remark = layer.node.attribute(kDrawnAttribute) ? kOnlyDrawn : "an image";
     } else {
       layer.remark = layer.wanted ? layer.node.attribute(kRemarkAttribute).value() : "not chosen";
     }
-    if (isLeftOut(options_, layer.node.attribute("name").value(), layer.pathInMap, propertiesOf(layer.node))) {
+    if (isLeftOut({layer.pathInMap, layer.node.attribute("name").value(), propertiesOf(layer.node)}, options_)) {
       layer.wanted = layer.isInReach = false;
       layer.remark = "left out (--not)";
     }
@@ -111,12 +110,12 @@ class Lister {
 
   void pickObjects(Layer& layer) const {
     if (!options_.objects && options_.solidIf.empty()) return;
-    for (const auto object : layer.node.children("object")) {
-      const std::string className = classOf(object), name = object.attribute("name").value();
-      if (!isPicked(options_, className, name, options_.objects ? Properties{} : propertiesOf(object))) continue;
+    for (const auto node : layer.node.children("object")) {
+      const Called object = calledOf(node);
+      if (!isPicked(object, options_)) continue;
       layer.wanted = layer.isPicked = true;
-      names_.objects.seeName(className);
-      names_.objects.seeName(name);
+      names_.objects.seeName(object.className);
+      names_.objects.seeName(object.name);
     }
   }
 
@@ -182,10 +181,11 @@ Properties propertiesOf(const Layer& layer) {
   return result;
 }
 
-bool isPicked(const Options& options, const std::string& className, const std::string& name,
-              const Properties& properties) {
-  if (!options.objects) return firstFit(options.solidIf, properties) != nullptr;
-  return (!className.empty() && has(*options.objects, className)) || (!name.empty() && has(*options.objects, name));
+bool isPicked(const Called& object, const Options& options) {
+  if (!options.objects) return firstFit(options.solidIf, object.properties) != nullptr;
+  return std::any_of(options.objects->begin(), options.objects->end(), [&](const std::string& name) {
+    return !name.empty() && (name == object.className || name == object.name);
+  });
 }
 
 bool AskedLayers::fit(const Layer& layer) {
@@ -200,16 +200,17 @@ bool AskedLayers::fit(const Layer& layer) {
   return fits;
 }
 
-void AskedLayers::seeOther(const Layer& layer, const char* what) {
-  for (const std::string& name : callsOf(layer))
-    if (asked_.contains(name)) others_[name] = what;
-}
-
-void AskedLayers::checkAll(const XmlFile& file, const char* kind) const {
+void AskedLayers::checkAll(const XmlFile& file, const char* kind, const std::vector<LayerReport>& layers) const {
   for (const std::string& name : asked_) {
     if (found_.contains(name)) continue;
-    const auto other = others_.find(name);
-    if (other != others_.end()) file.fail({}, concat("'", name, "' is ", other->second, shellWord(name)));
+    for (const LayerReport& other : layers) {
+      if (!isOneOf(name, {other.path, other.name}) && !other.path.ends_with("/" + name)) continue;
+      const std::string what = other.kind == LayerKind::tiles     ? "a tile layer: --layer "
+                               : other.kind == LayerKind::objects ? "an object layer: --objects "
+                               : other.note == kOnlyDrawn ? concat("a layer of ", kOnlyDrawn, ": --solid --layer ")
+                                                          : "";
+      if (!what.empty()) file.fail({}, concat("'", name, "' is ", what, shellWord(name)));
+    }
     file.fail(file.root(), concat("has no ", kind, " layer or group '", name, "'", thereAre(name, known_)));
   }
 }

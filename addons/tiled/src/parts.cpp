@@ -162,7 +162,7 @@ void readObjects(MapSource& source, const Layer& layer, const Options& options, 
   for (const auto node : layer.node.children("object")) {
     CollisionObject object = readObject(*source.file, node, layer.offset, source.templates);
     if (source.file->failed()) return;
-    if (layer.isPicked && !isPicked(options, object.className, object.name, object.properties)) continue;
+    if (layer.isPicked && !isPicked(object, options)) continue;
     object = asAsked(std::move(object), options);
     if (object.kind == Kind::tile) {
       readTileObject(std::move(object), source, options, budget, sink);

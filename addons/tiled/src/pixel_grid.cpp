@@ -73,19 +73,10 @@ std::vector<LocalPoint> localRing(const Polygon& ring) {
 }
 
 Polygon tidied(Polygon ring) {
-  std::size_t calm = 0;  // vertices in a row that stay
-  std::size_t at = 0;
-  while (ring.size() >= 3 && calm < ring.size()) {
-    const std::size_t n = ring.size();
-    at %= n;
-    if (orientation(ring[(at + n - 1) % n], ring[at], ring[(at + 1) % n]) == 0) {
-      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
-      calm = 0;
-      at += ring.size() - 1;  // its removal can flatten the one before
-    } else {
-      ++calm;
-      ++at;
-    }
+  for (std::size_t k = 0; k < ring.size() && ring.size() >= 3;) {
+    const bool isFlat = orientation(ring[(k == 0 ? ring.size() : k) - 1], ring[k], nextVertex(ring, k)) == 0;
+    if (isFlat) ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(k));
+    k = isFlat ? 0 : k + 1;  // a removal can flatten others
   }
   return ring;
 }

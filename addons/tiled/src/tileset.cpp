@@ -15,8 +15,7 @@ constexpr std::string_view kInsideTiled = ":/";  // begins the names of files th
 
 Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   Tile tile;
-  tile.className = classOf(node);
-  tile.properties = propertiesOf(node);
+  static_cast<Called&>(tile) = {classOf(node), "", propertiesOf(node)};
   if (!tile.className.empty()) tile.properties.emplace("class", tile.className);
   const auto image = node.child("image");
   const auto side = [&](const char* attribute) {
@@ -152,10 +151,6 @@ void Tilesets::read(const XmlFile& map, Templates& templates, const TileTable& t
   }
   std::sort(tilesets_.begin(), tilesets_.end(),
             [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
-}
-
-bool isLeftOut(const Tile& tile, const Options& options) {
-  return isLeftOut(options, tile.className, "", tile.properties);
 }
 
 const Tileset* Tilesets::of(std::uint32_t number) const {

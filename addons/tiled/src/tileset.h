@@ -8,10 +8,8 @@
 
 namespace lgs::tiled {
 
-struct Tile {
-  std::string className;
-  DoublePoint size;  ///< of its image, pixels
-  Properties properties;
+struct Tile : Called {
+  DoublePoint size;                      ///< of its image, pixels
   std::vector<CollisionObject> objects;  ///< from the Tile Collision Editor
   bool isSettled = false;                ///< Options::tiles says what it is: no rule makes it a full square
 };
@@ -32,9 +30,6 @@ struct Tileset {
 
 /// Gives each tile that a table names the shape that the table says, instead of its own ones.
 void reshape(Tileset& tileset, const TileTable& table);
-
-/// Whether Options::leaveOut has the class of a tile, or a property.
-bool isLeftOut(const Tile& tile, const Options& options);
 
 /// Gives a tile without shapes one that fills its image, if it is to be a full square. `layer` are the properties of its
 /// layer. Returns whether it is.

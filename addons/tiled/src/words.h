@@ -60,8 +60,15 @@ Uses usesOf(std::string_view name);
 
 using Properties = std::map<std::string, std::string>;
 
-/// The custom properties of a map, layer, tile or object.
+/// The custom properties of a map, layer, tile or object; of several with one name the last.
 Properties propertiesOf(pugi::xml_node node);
+
+/// What a tile, shape or object is called, and what else it says of itself.
+struct Called {
+  std::string className = {}, name = {};
+  Properties properties = {};
+};
+Called calledOf(pugi::xml_node node);
 
 /// "1 tile", "2 tiles"
 inline std::string counted(std::uint64_t n, const std::string& what) { return concat(n, " ", what, n == 1 ? "" : "s"); }
