@@ -52,12 +52,11 @@ class BlockNumbers {
   }
 
   Block of(const std::string& name) {
-    const auto known = numbers_.find(name);
-    if (known != numbers_.end()) return known->second;
-    while (taken_.contains(next_)) ++next_;
-    taken_.insert(next_);
+    const auto [known, isNew] = numbers_.try_emplace(name);
+    if (!isNew) return known->second;
+    while (!taken_.insert(next_).second) ++next_;
     asTheyCame_.push_back(name);
-    return numbers_[name] = next_;
+    return known->second = next_;
   }
 
   /// Tells the map which names there are, and its report which blocks are used.

@@ -3,7 +3,6 @@
 #include "collision_object.h"
 #include "ldtk.h"
 
-#include <algorithm>
 #include <array>
 #include <set>
 #include <unordered_map>
@@ -61,6 +60,7 @@ class Census {
     facts.uses = usesOf(layer.node.attribute("name").value());
     facts.uses.isPassable |= !noOf(propertiesOf(layer.node)).empty();
     facts.isDrawn = layer.node.attribute(kDrawnAttribute);
+    facts.side = layer.node.attribute(kLdtkGridAttribute).as_ullong();
     return at->second;
   }
 
@@ -143,7 +143,7 @@ class Census {
   void takeTile(const MapSource& map, LayerFacts& facts, const std::vector<RuleFacts*>& ofLayer, std::uint32_t number,
                 std::uint64_t uses) {
     facts.tiles += uses;
-    const Tileset* const tileset = map.tilesets.of(number);
+    const Tileset* const tileset = tilesetOf(map.tilesets, number);
     if (!tileset) return;
     const Tile& tile = tileset->tile(number - tileset->firstGid);
     if (isLeftOut(tile, options_)) return;
@@ -189,7 +189,7 @@ class Census {
       ++facts.objects;
       if (const auto gid = node.attribute("gid")) {
         const std::uint32_t number = tileNumber(gid.as_uint());
-        const Tileset* const tileset = map.tilesets.of(number);
+        const Tileset* const tileset = tilesetOf(map.tilesets, number);
         ++facts.figures;
         facts.bareFigures += tileset && tileset->tile(number - tileset->firstGid).objects.empty();
       }

@@ -13,17 +13,6 @@
 namespace lgs::tiled {
 namespace {
 
-/// "left out, as asked: 34 uses of 'ladder'"; or nothing.
-std::string leftOutAsAsked(const Report& report) {
-  std::map<std::string, std::uint64_t> uses;
-  for (const TileReport& tile : report.tiles) {
-    if (tile.isLeftOut) uses[tile.className] += tile.uses;
-  }
-  std::string text;
-  for (const auto& [name, count] : uses) join(text, concat(count, " uses of ", inQuotes(name)), ", ");
-  return text.empty() ? text : "left out, as asked: " + text;
-}
-
 class Import {
  public:
   Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget)
@@ -79,11 +68,10 @@ class Import {
     const std::vector<Layer> layers = listLayers(file(), options_, source.place, names_);
     const auto first = static_cast<std::uint32_t>(map_.report.layers.size());
     for (const Layer& layer : layers) {
-      LayerReport& report = map_.report.layers.emplace_back();
-      report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
-      report.name = layer.pathInMap;
+      const auto objects = layer.node.children("object");
+      const auto count = static_cast<std::uint64_t>(std::distance(objects.begin(), objects.end()));
+      map_.report.layers.push_back({layer.path, layer.wanted, 0, layer.remark, layer.kind, count, {}, layer.pathInMap});
       asked_.see(layer);
-      for (const auto node : layer.node.children("object")) report.objects += !node.empty();
     }
     const auto read = [&](LayerKind kind, auto&& readLayer) {
       for (std::uint32_t k = 0; k < layers.size(); ++k) {
@@ -190,7 +178,7 @@ class Import {
   void placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid) {
     auto ready = layer.ready.find(gid);
     if (ready == layer.ready.end()) {
-      const Tileset* const tileset = source_->tilesets.of(tileNumber(gid));
+      const Tileset* const tileset = tilesetOf(source_->tilesets, tileNumber(gid));
       strayTiles_ += tileset == nullptr;
       if (!tileset) return;
       ready = layer.ready.emplace(gid, readyTile(layer, *tileset, gid)).first;
@@ -234,12 +222,8 @@ class Import {
     const auto next = static_cast<std::uint32_t>(tiles.size());
     const auto [at, isNew] = reports_.try_emplace({tileset.name, id, tile.className}, next);
     if (!isNew) return at->second;
-    TileReport& report = tiles.emplace_back();
-    report.tileset = tileset.name;
-    report.id = id;
-    report.className = tile.className;
-    report.isLeftOut = isLeftOut(tile, options_);
-    report.hasShapes = !report.isLeftOut && !tile.objects.empty();
+    const bool isOut = isLeftOut(tile, options_);
+    tiles.push_back({tileset.name, id, tile.className, 0, !isOut && !tile.objects.empty(), {}, false, isOut});
     return next;
   }
 
@@ -250,14 +234,19 @@ class Import {
     report.height = side(max_.y - min_.y);
     std::set<std::string> missing;
     for (const auto& map : maps_) {
-      for (const Tileset& tileset : map->tilesets.all()) {
+      for (const Tileset& tileset : map->tilesets) {
         asked_.see(tileset);
         if (!tileset.missing.empty()) missing.insert(tileset.missing);
       }
       for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
     }
     join(report.partial, listed({missing.begin(), missing.end()}));
-    if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
+    std::map<std::string, std::uint64_t> left;
+    for (const TileReport& tile : report.tiles)
+      if (tile.isLeftOut) left[tile.className] += tile.uses;
+    std::string uses;
+    for (const auto& [name, count] : left) join(uses, concat(count, " uses of ", inQuotes(name)), ", ");
+    if (!uses.empty()) report.notes.push_back("left out, as asked: " + uses);
     if (strayTiles_ > 0) report.notes.push_back(concat(strayTiles_, " tiles belong to no tileset of the map"));
     const auto sort = [](std::vector<Note>& notes) {
       std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {

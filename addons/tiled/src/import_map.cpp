@@ -4,7 +4,6 @@
 #include "ldtk.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -204,37 +203,25 @@ class WholeImport {
     return text;
   }
 
-  /// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
-  std::unique_ptr<const XmlFile> openMapOf(const MapPlace& entry) {
+  /// Opens a map of a world. It may be missing.
+  void openMapOf(const MapPlace& entry) {
     auto file = std::make_unique<const XmlFile>(*world_, entry.file, "map", error_);
     if (std::string what = file->takeReason("map"); !what.empty()) {
-      if (!file->isMissing() || options_.allMaps) {
-        world_->fail(entry.entry, std::move(what));
-      } else {
-        notes_.push_back("a map of the world is left out: " + what);
-        if (!missing_) missing_ = {entry.entry, std::move(what)};
-      }
-      return nullptr;
+      if (!file->isMissing() || options_.allMaps) return world_->fail(entry.entry, std::move(what));
+      notes_.push_back("a map of the world is left out: " + what);
+      if (!missing_) missing_ = {entry.entry, std::move(what)};
+      return;
     }
-    if (!file->failed() &&
-        (std::string_view(file->root().name()) == "world" || file->root().attribute(kLdtkAttribute))) {
+    if (!error_ && (std::string_view(file->root().name()) == "world" || file->root().attribute(kLdtkAttribute)))
       world_->fail(entry.entry, entry.file + " is no map of Tiled's");
-    }
-    if (const std::string pattern = entry.entry.attribute("regexp").value(); file->failed() && !pattern.empty()) {
+    if (const std::string pattern = entry.entry.attribute("regexp").value(); error_ && !pattern.empty())
       error_->what += " (it fits the pattern " + inQuotes(pattern) + " of the world)";  // perhaps by mistake
-    }
-    if (file->failed()) return nullptr;
-    return file;
+    if (!error_) maps_.push_back(std::make_unique<MapSource>(std::move(file), entry, options_));
   }
 
   void openWorld() {
-    for (const MapPlace& entry : mapsOf(*world_, lister_, notes_)) {
-      if (error_) return;
-      auto file = openMapOf(entry);
-      if (!file) continue;
-      maps_.push_back(std::make_unique<MapSource>(std::move(file), entry, options_));
-      if (error_) return;
-    }
+    for (const MapPlace& entry : mapsOf(*world_, lister_, notes_))
+      if (!error_) openMapOf(entry);
     if (maps_.empty() && missing_) world_->fail(missing_->first, missing_->second);
   }
 
@@ -266,7 +253,7 @@ MapSource::MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const O
   if (!orientation.empty() && orientation != "orthogonal")
     file->fail(root, concat("has the orientation", file->quoted(" ", orientation),
                             ": only orthogonal maps have square cells"));
-  if (!file->failed()) tilesets.read(*file, templates, options.tiles);
+  if (!file->failed()) tilesets = readTilesets(*file, templates, options.tiles);
 }
 
 std::optional<Block> ImportedMap::block(const std::string& name) const {

@@ -38,13 +38,6 @@ Properties propertiesOf(const Layer& layer);
 /// its properties.
 bool isPicked(const Called& object, const Options& options);
 
-/// The attribute of a project of LDtk with several worlds: the name of the one whose layers are listed.
-inline constexpr const char* kWorldAttribute = "lgs:world";
-
-/// Attributes of a layer of LDtk: its tiles are only drawn; what the report says of it.
-inline constexpr const char* kDrawnAttribute = "lgs:drawn";
-inline constexpr const char* kRemarkAttribute = "lgs:remark";
-
 /// Where a map stands among others.
 struct MapPlace {
   std::string name = {};      ///< of its file, without the extension; empty for a map by itself
@@ -64,8 +57,7 @@ class AskedLayers {
   /// The class or the name of an object: perhaps one was asked for.
   void seeName(const std::string& name) { found_.insert(name); }
 
-  /// If a name fits no layer of all that were listed, the file keeps an error. It says which of them has the name, and
-  /// is of another kind.
+  /// If a name fits no layer, the file keeps an error, which tells of one of another kind that has the name.
   void checkAll(const XmlFile& file, const char* kind, const std::vector<LayerReport>& layers) const;
 
  private:
@@ -85,8 +77,7 @@ std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const
 /// Receives the tiles that are not empty, row by row. The number still holds the flags for flipping.
 using TileSink = std::function<void(std::int64_t column, std::int64_t row, std::uint32_t gid)>;
 
-/// Reads the tiles of a layer. `budget` says how many tiles may still be read; it goes down by the layer's, empty ones
-/// too.
+/// Reads the tiles of a layer. So many may still be read as the budget says; it goes down by all, empty ones too.
 void readTiles(const XmlFile& file, const Layer& layer, std::size_t& budget, const TileSink& sink);
 
 using Gids = std::vector<std::uint32_t>;

@@ -10,8 +10,8 @@
 
 namespace lgs::tiled {
 
-/// The maps of a world. Listed maps come first. Then come the patterns in their order, each with the files of the world's folder that fit it
-/// and are no maps yet, sorted by name. What is worth a note goes into `notes`. The first problem goes into the file.
+/// The maps of a world: those that are listed; then the patterns in their order, each with the files of the folder that
+/// fit it and are no maps yet, by name. What is worth a note goes into `notes`, the first problem into the file.
 std::vector<MapPlace> mapsOf(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes);
 
 /// A map that was read, with its tilesets and templates.
@@ -22,7 +22,7 @@ struct MapSource {
   std::unique_ptr<const XmlFile> file;
   MapPlace place;
   Templates templates;
-  Tilesets tilesets;
+  std::vector<Tileset> tilesets;                     ///< by firstGid
   std::map<Template*, Tileset> tilesetsOfTemplates;  ///< those that were needed
 };
 

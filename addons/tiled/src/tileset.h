@@ -28,28 +28,17 @@ struct Tileset {
   const Tile& tile(std::uint32_t id) const;
 };
 
-/// Gives each tile that a table names the shape that the table says, instead of its own ones.
-void reshape(Tileset& tileset, const TileTable& table);
-
 /// Gives a tile without shapes one that fills its image, if it is to be a full square. `layer` are the properties of its
 /// layer. Returns whether it is.
 bool squareAsAsked(Tile& tile, const Properties& layer, const Options& options);
 
-/// The tilesets of a map.
-class Tilesets {
- public:
-  void read(const XmlFile& map, Templates& templates, const TileTable& table);
-
-  const std::vector<Tileset>& all() const { return tilesets_; }
-
-  /// The one that has a tile, by its number without flags; null if none has.
-  const Tileset* of(std::uint32_t number) const;
-
- private:
-  std::vector<Tileset> tilesets_;  // by firstGid
-};
-
 /// Reads a <tileset> of a map or template, from another file if it names one.
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates);
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates, const TileTable& table);
+
+/// Those of a map, by firstGid.
+std::vector<Tileset> readTilesets(const XmlFile& map, Templates& templates, const TileTable& table);
+
+/// The one that has a tile, by its number without flags; null if none has.
+const Tileset* tilesetOf(const std::vector<Tileset>& tilesets, std::uint32_t number);
 
 }  // namespace lgs::tiled

@@ -11,7 +11,6 @@ namespace {
 
 /// Lists have blanks between their words. A "*" stands for any end of a word.
 using Words = std::string_view;
-using Word = std::string_view;
 
 /// What is said by words that stand anywhere in another one, "=" before those that are too short for that. A longer word
 /// stands before a shorter one that is in it, as reports name the first that fits. Those of kLong letters are known with
@@ -59,24 +58,24 @@ constexpr Words kOfProperties =
 template <class Fits>
 std::string_view firstOf(Words list, const Fits& fits) {
   while (!list.empty()) {
-    const Word word = list.substr(0, list.find(' '));
+    const std::string_view word = list.substr(0, list.find(' '));
     if (fits(word)) return word;
     list.remove_prefix(std::min(list.size(), word.size() + 1));
   }
   return {};
 }
 
-bool isIn(Words list, Word word) {
-  const std::string_view found = firstOf(list, [&](Word one) {
+bool isIn(Words list, std::string_view word) {
+  const std::string_view found = firstOf(list, [&](std::string_view one) {
     return one.ends_with('*') ? word.starts_with(one.substr(0, one.size() - 1)) : word == one;
   });
   return !found.empty();
 }
 
-bool isOther(Word word) { return isIn(kOther, word) || isIn(kPassable, word) || isIn(kFluid, word); }
+bool isOther(std::string_view word) { return isIn(kOther, word) || isIn(kPassable, word) || isIn(kFluid, word); }
 
 /// Whether a word begins with another one, but for a letter.
-bool nearlyBegins(std::string_view text, Word word) {
+bool nearlyBegins(std::string_view text, std::string_view word) {
   for (std::size_t length = word.size() - 1; length <= std::min(word.size() + 1, text.size()); ++length) {
     if (areSimilar(text.substr(0, length), word)) return true;
   }
@@ -109,16 +108,18 @@ constexpr Saying kImpassable{Says::collision, "not passable"};
 
 /// What one word says, with what is written together with it.
 Saying sayingOf(std::string_view text) {
-  const auto isBarred = [&](Word no) { return text.starts_with(no) && isIn(kPassed, text.substr(no.size())); };
+  const auto isBarred = [&](std::string_view no) {
+    return text.starts_with(no) && isIn(kPassed, text.substr(no.size()));
+  };
   if (!firstOf(kNot, isBarred).empty()) return kImpassable;
-  const auto fits = [&](Word word) {
+  const auto fits = [&](std::string_view word) {
     if (word.starts_with('=')) return text == word.substr(1);
     const std::size_t at = text.find(word);
     if (at == std::string_view::npos) return false;
-    const Word before = text.substr(0, at), after = text.substr(at + word.size());
+    const std::string_view before = text.substr(0, at), after = text.substr(at + word.size());
     return !isOther(before) && !isIn(kNot, before) && !isOther(after);
   };
-  const auto isNear = [&](Word word) { return word.size() >= kLong && nearlyBegins(text, word); };
+  const auto isNear = [&](std::string_view word) { return word.size() >= kLong && nearlyBegins(text, word); };
   const auto find = [](const auto& isIt) {
     for (const auto& [are, words] : kSays)
       if (const auto word = firstOf(words, isIt); !word.empty())
@@ -152,23 +153,34 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
   return best;
 }
 
+/// Whether a name says that there is no collision: "NoCollide", "non_collidables".
+bool isOpposite(std::string_view name) {
+  const std::string_view no = firstOf(kNot, [&](std::string_view one) {
+    const auto words = wordsIn(lower(name.substr(0, one.size())) == one ? name.substr(one.size()) : "");
+    return !words.empty() && sayingOf(words.front()).says == Says::collision;
+  });
+  return !no.empty();
+}
+
 }  // namespace
 
 Saying saying(std::string_view name) {
-  const auto isFore = [](Word word) { return isIn(kForeground, word); };
+  const auto isFore = [](std::string_view word) { return isIn(kForeground, word); };
   const std::vector<std::string> words = wordsIn(name);
   const bool isSeen = std::any_of(words.begin(), words.end(), isFore);
-  const Saying said = sayingOf(words, [&](Word word) { return word != "player" && !isFore(word) && isOther(word); });
+  const Saying said =
+      sayingOf(words, [&](std::string_view word) { return word != "player" && !isFore(word) && isOther(word); });
   return isSeen && said.says == Says::ground && !said.isFloor() ? Saying{} : said;
 }
 
 Saying sayingOfProperty(std::string_view name) {
-  return sayingOf(wordsIn(name), [](Word word) { return isOther(word) || isIn(kOfProperties, word); });
+  return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || isIn(kOfProperties, word); });
 }
 
 Uses usesOf(std::string_view name) {
   Uses uses;
   const std::vector<std::string> words = wordsIn(name);
+  uses.isOther = isOpposite(name);
   for (const std::string& word : words) {
     uses.isOther |= isOther(word);
     uses.isPassable |= isIn(kPassable, word);
@@ -225,12 +237,7 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
 
 std::string noIn(const std::string& property, const std::string& value) {
   if (property.find('=') != std::string::npos) return "";
-  const std::string name = lower(property);
-  const std::string_view no = firstOf(kNot, [&](Word one) {
-    const auto words = wordsIn(name.starts_with(one) ? property.substr(one.size()) : "");
-    return !words.empty() && sayingOf(words.front()).says == Says::collision;
-  });
-  const bool isNo = saysYes(value) ? !no.empty() : sayingOfProperty(property).says == Says::collision;
+  const bool isNo = saysYes(value) ? isOpposite(property) : sayingOfProperty(property).says == Says::collision;
   return isNo ? property + "=" + value : "";
 }
 

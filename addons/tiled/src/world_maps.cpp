@@ -41,15 +41,13 @@ class WorldMaps {
   void listFolder() {
     if (file_.failed()) return;
     const std::string folder = folderOf(file_.name());
-    if (!lister_) {
-      return file_.fail(file_.root().child("pattern"),
+    const pugi::xml_node pattern = file_.root().child("pattern");
+    if (!lister_)
+      return file_.fail(pattern,
                         "takes maps by the names of the files in its folder, and nothing lists them: give importMap() "
                         "a FolderLister, or list the maps of the world as \"maps\"");
-    }
     auto names = lister_(folder.empty() ? "." : folder);
-    if (!names) {
-      return file_.fail(file_.root().child("pattern"), "needs a list of its folder: " + names.error());
-    }
+    if (!names) return file_.fail(pattern, "needs a list of its folder: " + names.error());
     names_ = std::move(*names);
     std::erase_if(names_, [](const std::string& name) { return name.starts_with('.'); });  // Tiled does not see them
     std::sort(names_.begin(), names_.end());
