@@ -33,8 +33,8 @@ AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
 void AskedNames::see(const Tileset& tileset) {
   tilesets_.see(tileset.name);
   for (const auto& [id, tile] : tileset.tiles) {
-    see(tile.className, "", tile.properties);
-    for (const CollisionObject& object : tile.objects) see(object);
+    see(static_cast<const Called&>(tile));
+    for (const Called& object : tile.objects) see(object);
   }
 }
 
@@ -42,23 +42,21 @@ void AskedNames::see(const Layer& layer) {
   if (blockFrom_ == BlockFrom::layer) blocks_.see(layer.pathInMap);
   leftOut_.see(layer.pathInMap);
   leftOut_.see(layer.node.attribute("name").value());
-  if (layer.kind == LayerKind::tiles) see("", "", propertiesOf(layer));
-  if (layer.kind == LayerKind::objects) see(classOf(layer.node), "", {});
-  for (const auto node : layer.node.children("object")) {
-    const Properties properties = properties_.asked.empty() ? Properties{} : propertiesOf(node);
-    see(classOf(node), node.attribute("name").value(), properties);
-  }
+  const bool isOfObjects = layer.kind == LayerKind::objects;
+  if (layer.kind != LayerKind::image) see(Called{isOfObjects ? classOf(layer.node) : "", "", propertiesOf(layer)});
+  for (const auto node : layer.node.children("object")) see(calledOf(node));
 }
 
-void AskedNames::see(const std::string& className, const std::string& name, const Properties& properties) {
-  for (const auto& [property, value] : properties) {
+void AskedNames::see(const Called& called) {
+  for (const auto& [property, value] : called.properties) {
     properties_.see(property);
     if (const auto asked = values_.find(property); asked != values_.end()) asked->second.see(value);
   }
-  for (const std::string* one : {&className, &name}) {
+  for (const std::string* one : {&called.className, &called.name}) {
     if (one->empty()) continue;
     leftOut_.see(*one);
-    if (blockFrom_ == BlockFrom::name || (blockFrom_ != BlockFrom::layer && one == &className)) blocks_.see(*one);
+    if (blockFrom_ == BlockFrom::name || (blockFrom_ != BlockFrom::layer && one == &called.className))
+      blocks_.see(*one);
   }
 }
 

@@ -18,7 +18,7 @@ class AskedNames {
   /// Names that the maps have, be they imported or not.
   void see(const Tileset& tileset);
   void see(const Layer& layer);
-  void see(const CollisionObject& object) { see(object.className, object.name, object.properties); }
+  void see(const Called& called);
 
   /// A note for each name or value that nothing has which was seen. What decides on what is solid makes a part.
   void report(Report& report) const;
@@ -31,8 +31,6 @@ class AskedNames {
       if (!asked.empty()) seen.insert(name);
     }
   };
-
-  void see(const std::string& className, const std::string& name, const Properties& properties);
 
   BlockFrom blockFrom_;
   Names properties_, blocks_, leftOut_, tilesets_;
@@ -54,12 +52,11 @@ class BlockNumbers {
   }
 
   Block of(const std::string& name) {
-    const auto known = numbers_.find(name);
-    if (known != numbers_.end()) return known->second;
-    while (taken_.contains(next_)) ++next_;
-    taken_.insert(next_);
+    const auto [known, isNew] = numbers_.try_emplace(name);
+    if (!isNew) return known->second;
+    while (!taken_.insert(next_).second) ++next_;
     asTheyCame_.push_back(name);
-    return numbers_[name] = next_;
+    return known->second = next_;
   }
 
   /// Tells the map which names there are, and its report which blocks are used.

@@ -6,8 +6,6 @@
 namespace lgs::tiled {
 namespace {
 
-std::uint64_t square(std::uint64_t v) { return v * v; }
-
 /// The cells that an edge runs through, row by row.
 template <class Visit>
 bool alongEdge(Point a, Point b, const Visit& visit) {
@@ -28,9 +26,8 @@ bool alongEdge(Point a, Point b, const Visit& visit) {
 bool Budget::read(std::size_t bytes) {
   if (bytes > bytes_) return false;
   bytes_ -= bytes;
-  const auto allow = [](std::uint64_t& left, std::uint64_t more) {
-    left += std::min(more, ~left);
-  };  // limits may be huge
+  // Limits may be huge.
+  const auto allow = [](std::uint64_t& left, std::uint64_t more) { left += std::min(more, ~left); };
   allow(steps_, kWorkPerByte * bytes);
   allow(cells_, kObjectCellsPerByte * bytes);
   return true;
@@ -42,15 +39,11 @@ bool Budget::work(std::uint64_t steps) {
   return !isOutOfWork_;
 }
 
-bool Budget::shape(std::size_t vertices) { return work(1'000 + 64 * vertices + square(vertices)); }
-
 bool Budget::tile(const Tileset& tileset, std::uint32_t id) {
   std::uint64_t steps = 1'000;
   for (const CollisionObject& object : tileset.tile(id).objects) steps += 200 + object.points.size();
   return work(steps);
 }
-
-bool Budget::strokeInCell(std::size_t vertices) { return work(4'500 + 32 * square(vertices)); }
 
 bool Budget::stroke(const Polygon& ring) {
   const Box box = boundingBox(ring);
@@ -72,7 +65,7 @@ bool Budget::stroke(const Polygon& ring) {
   std::sort(through.begin(), through.end());
   for (auto from = through.begin(); from != through.end();) {
     const auto to = std::upper_bound(from, through.end(), *from);
-    if (!strokeInCell(static_cast<std::size_t>(to - from))) return false;
+    if (!strokeInCell(static_cast<std::uint64_t>(to - from))) return false;
     from = to;
   }
   return true;

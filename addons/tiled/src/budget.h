@@ -1,6 +1,4 @@
-// What an import may cost. Each file that is read allows for more, in proportion to its bytes; what could cost more
-// than that is taken from the budget before it is done. So a map of n bytes takes work and memory in proportion to n,
-// beyond the limits of Options, whatever is in it.
+// What an import may cost (docs/maps.md, "What a map may cost"): it is taken from the budget before it is done.
 #pragma once
 
 #include "pixel_grid.h"
@@ -13,7 +11,13 @@ namespace lgs::tiled {
 class Budget {
  public:
   explicit Budget(const Options& options)
-      : bytes_(options.maxBytes), steps_(options.maxWork), cells_(options.maxObjectCells) {}
+      : bytes_(options.maxBytes), steps_(options.maxWork), cells_(options.maxObjectCells) {
+    refill(options);
+  }
+
+  /// All the tiles may be read again, and polygons placed: for another pass.
+  void refill(const Options& options) { tiles = options.maxTiles, placements = options.maxPlacements; }
+  std::size_t tiles = 0, placements = 0;  ///< that are left
 
   /// Takes the bytes of a file that was read, and allows for what they may cost. False if they are too many.
   [[nodiscard]] bool read(std::size_t bytes);
@@ -22,7 +26,7 @@ class Budget {
   [[nodiscard]] bool work(std::uint64_t steps);
 
   /// Takes what a shape costs by itself: its outline is made, snapped and compared with itself.
-  [[nodiscard]] bool shape(std::size_t vertices);
+  [[nodiscard]] bool shape(std::uint64_t vertices) { return work(1'000 + 64 * vertices + vertices * vertices); }
 
   /// Takes what it costs to copy a tile of a tileset, with its shapes.
   [[nodiscard]] bool tile(const Tileset& tileset, std::uint32_t id);
@@ -31,7 +35,7 @@ class Budget {
   [[nodiscard]] bool stroke(const Polygon& ring);
 
   /// Takes what a brush costs in one cell in which so many vertices meet.
-  [[nodiscard]] bool strokeInCell(std::size_t vertices);
+  [[nodiscard]] bool strokeInCell(std::uint64_t vertices) { return work(4'500 + 32 * vertices * vertices); }
 
   bool isOutOfWork() const { return isOutOfWork_; }
   bool isOutOfCells() const { return isOutOfCells_; }

@@ -3,7 +3,6 @@
 #include "collision_object.h"
 #include "ldtk.h"
 
-#include <algorithm>
 #include <array>
 #include <set>
 #include <unordered_map>
@@ -28,7 +27,7 @@ std::pair<std::string, Saying> ruleOf(const std::string& name, const std::string
 
 class Census {
  public:
-  Census(const Options& options, std::size_t& tilesLeft) : options_(options), tilesLeft_(tilesLeft) {
+  explicit Census(const Options& options) : options_(options) {
     options_.solidWithoutShapes = true;  // so that layers which are only drawn are tile layers
     options_.objects = std::nullopt;
   }
@@ -61,6 +60,7 @@ class Census {
     facts.uses = usesOf(layer.node.attribute("name").value());
     facts.uses.isPassable |= !noOf(propertiesOf(layer.node)).empty();
     facts.isDrawn = layer.node.attribute(kDrawnAttribute);
+    facts.side = layer.node.attribute(kLdtkGridAttribute).as_ullong();
     return at->second;
   }
 
@@ -97,10 +97,10 @@ class Census {
   }
 
   /// The class, name or property by which something is deadly or passable; or "".
-  static std::string passableOf(const std::string& className, const std::string& name, const Properties& properties) {
-    for (const std::string& one : {className, name})
+  static std::string passableOf(const Called& called) {
+    for (const std::string& one : {called.className, called.name})
       if (usesOf(one).isPassable) return one;
-    return noOf(properties);
+    return noOf(called.properties);
   }
 
   void pass(const std::string& what, std::uint64_t uses, bool isLayer = false, bool areSquares = false) {
@@ -123,11 +123,11 @@ class Census {
     KnownTile& result = at->second;
     if (!isNew) return result;
     result.isBare = tile.objects.empty();
-    result.passable = passableOf(tile.className, "", tile.properties);
+    result.passable = passableOf(tile);
     for (const CollisionObject& drawn : tile.objects) {
       const auto kind = asAsked(drawn, options_).kind;
       if (kind == CollisionObject::Kind::unsupported || kind == CollisionObject::Kind::tile) continue;
-      std::string why = passableOf(drawn.className, drawn.name, drawn.properties);
+      std::string why = passableOf(drawn);
       result.isShaped = result.isShaped || why.empty();
       if (!why.empty() && result.shapes.size() < kMostKnown) result.shapes.insert(std::move(why));
     }
@@ -143,7 +143,7 @@ class Census {
   void takeTile(const MapSource& map, LayerFacts& facts, const std::vector<RuleFacts*>& ofLayer, std::uint32_t number,
                 std::uint64_t uses) {
     facts.tiles += uses;
-    const Tileset* const tileset = map.tilesets.of(number);
+    const Tileset* const tileset = tilesetOf(map.tilesets, number);
     if (!tileset) return;
     const Tile& tile = tileset->tile(number - tileset->firstGid);
     if (isLeftOut(tile, options_)) return;
@@ -189,17 +189,17 @@ class Census {
       ++facts.objects;
       if (const auto gid = node.attribute("gid")) {
         const std::uint32_t number = tileNumber(gid.as_uint());
-        const Tileset* const tileset = map.tilesets.of(number);
+        const Tileset* const tileset = tilesetOf(map.tilesets, number);
         ++facts.figures;
         facts.bareFigures += tileset && tileset->tile(number - tileset->firstGid).objects.empty();
       }
       bool isNamed = false, isSilent = true;
-      const std::array<std::string, 2> names{classOf(node), node.attribute("name").value()};
-      if (const std::string why = passableOf(names[0], names[1], propertiesOf(node)); isSaid && !why.empty()) {
+      const Called called = calledOf(node);
+      if (const std::string why = passableOf(called); isSaid && !why.empty()) {
         pass(why, 1);
         ++facts.passable;
       }
-      for (const std::string& name : names) {
+      for (const std::string& name : {called.className, called.name}) {
         const Saying said = saying(name);
         isNamed = isNamed || !name.empty();
         isSilent = isSilent && said.says == Says::nothing;
@@ -208,14 +208,14 @@ class Census {
       facts.named += isNamed;
       facts.silent += isNamed && isSilent;
       if (isNamed || facts_.isLdtk || node.attribute("gid")) continue;  // what has a name is judged by that
-      for (const auto& [name, value] : propertiesOf(node)) {
+      for (const auto& [name, value] : called.properties) {
         if (RuleFacts* const known = ruleFacts(name, value)) ++known->objects;
       }
     }
   }
 
   Options options_;
-  std::size_t& tilesLeft_;
+  std::size_t tilesLeft_ = options_.maxTiles;
   Facts facts_;
   std::map<std::pair<LayerKind, std::string>, std::size_t> known_;
   std::unordered_map<const Tile*, KnownTile> tiles_;
@@ -225,8 +225,8 @@ class Census {
 
 }  // namespace
 
-Facts census(const Maps& maps, const Options& options, std::size_t& tilesLeft) {
-  Census result(options, tilesLeft);
+Facts census(const Maps& maps, const Options& options) {
+  Census result(options);
   for (const auto& map : maps) result.take(*map);
   return result.finish();
 }

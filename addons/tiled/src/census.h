@@ -20,6 +20,7 @@ struct LayerFacts {
   std::uint64_t ruled = 0;     ///< of the bare ones, with a property that says something
   std::uint64_t passable = 0;  ///< of these, or of the objects, deadly or passable
   std::uint64_t cells = 0;     ///< of its rectangle
+  std::uint64_t side = 0;      ///< of LDtk, of a cell, pixels
 
   std::uint64_t objects = 0;                         ///< that can have an area
   std::uint64_t figures = 0;                         ///< of these, tile objects
@@ -30,8 +31,8 @@ struct LayerFacts {
   std::map<std::string, Saying> classes = {};        ///< classes and names of objects that say something
   std::map<std::string, std::uint64_t> values = {};  ///< of an IntGrid layer: how many cells have a value, by its name
 
-  /// Whether some of its objects are called a wall or the like, and others are called something else. Then the layer
-  /// holds things of all kinds, also if it is called "Obstacles". Of one that is called "Walls" all are parts.
+  /// Whether some of its objects are called a wall or the like, and others something else: then it holds things of all
+  /// kinds, also if it is called "Obstacles". Of one that is called "Walls" all are parts.
   bool isMixed() const { return !classes.empty() && silent > 0 && saying.says != Says::ground; }
 
   /// How much of its rectangle it fills, from 0 to 1.
@@ -60,8 +61,7 @@ struct Facts {
   bool isLdtk = false;
 };
 
-/// Takes the census of all layers that the options want. Tiles that are read are taken from `tilesLeft`. A problem goes
-/// into the map's file.
-Facts census(const Maps& maps, const Options& options, std::size_t& tilesLeft);
+/// Takes the census of all layers that the options want. A problem goes into the map's file.
+Facts census(const Maps& maps, const Options& options);
 
 }  // namespace lgs::tiled

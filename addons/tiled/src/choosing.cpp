@@ -11,7 +11,8 @@ namespace {
 /// are what one sees of a collision layer, or of objects; objects that are called so are drawn for the game, as those of
 /// that layer.
 bool isDue(const LayerFacts& layer, const Choice& choice, bool areTilesTaken, bool isLdtk) {
-  if (layer.isDrawn || layer.uses.isPassable || layer.saying.says == Says::nothing) return false;
+  const bool areFigures = layer.kind == LayerKind::objects && !isDrawnByHand(layer);  // "obstacles" with pictures
+  if (layer.isDrawn || layer.uses.isPassable || layer.saying.says == Says::nothing || areFigures) return false;
   if (layer.saying.says == Says::collision) return true;
   if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
   return choice.evidence == Evidence::solid && choice.options.layers.empty() && areTilesTaken &&
@@ -61,7 +62,7 @@ const LayerFacts* onlyLayer(const Facts& facts) {
   }
   const Layers& some = all.empty() ? fore : all.size() > 1 ? called : all;
   const LayerFacts* const only = some.size() == 1 ? some.front() : nullptr;
-  const bool isRivalled = only && !only->uses.isOther && only->tiles < passedOver;
+  const bool isRivalled = only && !only->uses.isOther && !only->uses.isMain && only->tiles < passedOver;
   const bool isIt = only && only->bare > 0 && 2 * only->tiles <= only->cells && !isRivalled;
   return isIt && !isTiny(*only) ? only : nullptr;
 }
@@ -121,7 +122,6 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
     const std::uint64_t count = taken[{layer.kind, layer.name}];
     const bool isBegun = isOfObjects && count > 0;  // some are taken, by their class or property
     if (!says && !isPlain && !isWater && !isBegun && !(areBoxes && layer.classes.empty())) continue;
-    if (says && isOfObjects && !isDrawnByHand(layer)) continue;
     const bool due = isDue(layer, choice, areTilesTaken, facts.isLdtk);
     const auto add = [&](std::string text, std::string offer, bool isPart, const auto& take) {
       if (result.size() == kMaxSuggestions) return;  // as many commands follow
@@ -134,13 +134,13 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
       add(concat("tile layer ", layer.name, ", of which ", count, " of ", counted(layer.tiles, "tile"), " are taken"),
           "the same with all of tile layer " + layer.name, due && 4 * count < 3 * layer.tiles, [&](Options& more) {
             std::erase(more.leaveOut, layer.name);
-            more.layers.empty() ? more.solidIf.push_back(kLayerProperty + ("=" + layer.name))
-                                : more.layers.push_back(layer.name);
+            more.layers.empty() ? more.solidIf.push_back(ruleOf(layer)) : more.layers.push_back(layer.name);
           });
     if (!isOfObjects || (facts.isLdtk && !due && !isWater)) continue;
     const auto takeObjects = [&](Options& more) {
       if (!more.objects) more.objects = more.layers.empty() ? namesOfSaying(facts) : std::vector<std::string>{};
       if (!has(*more.objects, layer.name)) more.objects->push_back(layer.name);
+      if (says && layer.bareFigures > 0 && !more.solidWithoutShapes) more.solidIf.push_back(ruleOf(layer));
     };
     if (count + layer.passable < layer.objects)
       add(concat("object layer ", layer.name, ", of which ",

@@ -1,5 +1,6 @@
 #include "collision_object.h"
 
+#include "json.h"
 #include "words.h"
 
 #include <algorithm>
@@ -45,27 +46,17 @@ void readKind(const XmlFile& file, pugi::xml_node node, CollisionObject& object)
 /// An object of a template: what it says itself, and else what the template says.
 void merge(pugi::xml_node instance, pugi::xml_node origin, pugi::xml_document& merged) {
   pugi::xml_node node = merged.append_copy(origin);
-  for (const auto attribute : instance.attributes()) {
-    if (std::string_view(attribute.name()) == "template") continue;
-    node.remove_attribute(attribute.name());
-    node.append_attribute(attribute.name()) = attribute.value();
+  for (const auto attribute : instance.attributes()) setAttribute(node, attribute.name(), attribute.value());
+  for (const auto child : instance.children()) {
+    if (std::string_view(child.name()) != "properties") node.remove_child(child.name());
+    node.append_copy(child);
   }
-  for (const char* shape : {"polygon", "polyline", "ellipse", "capsule", "point", "text"}) {
-    if (!instance.child(shape)) continue;
-    node.remove_child(shape);
-    node.append_copy(instance.child(shape));
-  }
-  auto properties = node.child("properties");
-  if (!properties) properties = node.append_child("properties");
-  for (const auto property : instance.child("properties").children()) properties.append_copy(property);
 }
 
 CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint offset) {
   CollisionObject object;
+  static_cast<Called&>(object) = calledOf(node);
   object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
-  object.className = classOf(node);
-  object.name = node.attribute("name").value();
-  object.properties = propertiesOf(node);
   object.at = {file.real(node, "x") + offset.x, file.real(node, "y") + offset.y};
   object.size = {file.real(node, "width"), file.real(node, "height")};
   object.rotation = file.real(node, "rotation");
@@ -75,32 +66,26 @@ CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint 
   return object;
 }
 
-/// Cosine and sine of an angle in degrees. They are exact for quarter turns, so that turned rectangles stay on the
-/// grid.
+/// Cosine and sine of an angle in degrees, exact for quarter turns, so that turned rectangles stay on the grid.
 std::pair<double, double> turn(double degrees) {
-  const double rest = std::fmod(degrees, 360.0);
-  const double quarters = rest / 90.0;
-  if (quarters == std::floor(quarters)) {
-    constexpr double kCosines[] = {1, 0, -1, 0};
-    const auto quarter = static_cast<unsigned>(static_cast<int>(quarters) + 4) % 4;
-    return {kCosines[quarter], kCosines[(quarter + 3) % 4]};
-  }
-  const double angle = rest / 180.0 * std::numbers::pi;
-  return {std::cos(angle), std::sin(angle)};
+  int quarters = 0;
+  const double rest = std::remquo(degrees, 90.0, &quarters) / 180.0 * std::numbers::pi;
+  std::pair result(std::cos(rest), std::sin(rest));
+  for (quarters &= 3; quarters > 0; --quarters) result = {-result.second, result.first};
+  return result;
 }
 
 /// A rounded box: quarter circles of kCurveVertices / 4 steps around the four corners of an inner box. If the inner box
 /// is a point, the result is an ellipse; if it is a line, a capsule.
 std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
   constexpr int kSteps = kCurveVertices / 4;
-  const DoublePoint inner{size.x - 2 * radius.x, size.y - 2 * radius.y};
   std::vector<DoublePoint> points;
   for (int quarter = 0; quarter < 4; ++quarter) {
-    const DoublePoint centre{radius.x + (quarter == 0 || quarter == 3 ? inner.x : 0),
-                             radius.y + (quarter < 2 ? inner.y : 0)};
-    for (int step = 0; step <= kSteps; ++step) {  // the ends of two quarters can coincide; tidyLoops() drops one
+    const bool isRight = quarter == 0 || quarter == 3, isLow = quarter < 2;
+    for (int step = 0; step <= kSteps; ++step) {  // the ends of two quarters can coincide; tidied() drops one
       const auto [cosine, sine] = turn(90.0 * quarter + 90.0 * step / kSteps);
-      points.push_back({centre.x + radius.x * cosine, centre.y + radius.y * sine});
+      points.push_back({(isRight ? size.x - radius.x : radius.x) + radius.x * cosine,
+                        (isLow ? size.y - radius.y : radius.y) + radius.y * sine});
     }
   }
   return points;
@@ -121,21 +106,11 @@ std::vector<Outline> thickened(const std::vector<DoublePoint>& points, double th
 std::vector<Outline> plainOutlines(const CollisionObject& object) {
   const DoublePoint size = object.size;
   const double radius = std::fmin(size.x, size.y) / 2;
-  switch (object.kind) {
-    case Kind::rectangle:
-      return {{{0, 0}, {size.x, 0}, size, {0, size.y}}};
-    case Kind::polygon:
-      return {object.points};
-    case Kind::polyline:
-      return thickened(object.points, object.thickness);
-    case Kind::ellipse:
-      return {roundedBox(size, {size.x / 2, size.y / 2})};
-    case Kind::capsule:
-      return {roundedBox(size, {radius, radius})};
-    case Kind::tile:
-    case Kind::unsupported:
-      break;
-  }
+  if (object.kind == Kind::rectangle) return {{{0, 0}, {size.x, 0}, size, {0, size.y}}};
+  if (object.kind == Kind::polygon) return {object.points};
+  if (object.kind == Kind::polyline) return thickened(object.points, object.thickness);
+  if (object.kind == Kind::ellipse) return {roundedBox(size, {size.x / 2, size.y / 2})};
+  if (object.kind == Kind::capsule) return {roundedBox(size, {radius, radius})};
   return {};
 }
 
@@ -158,8 +133,7 @@ CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint
   Template& origin = *known;
   const auto model = origin.file.root().child("object");
   if (origin.error || !model) {
-    CollisionObject object;
-    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
+    CollisionObject object = readPlain(file, node, offset);
     leaveOut(object, "its template " + (origin.error ? message(*origin.error) : named + " has no <object>"));
     return object;
   }
@@ -170,16 +144,15 @@ CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint
   return object;
 }
 
-bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
-               const Properties& properties) {
+bool isLeftOut(const Called& called, const Options& options) {
   return std::any_of(options.leaveOut.begin(), options.leaveOut.end(), [&](const std::string& rule) {
-    return (!className.empty() && rule == className) || (!name.empty() && rule == name) ||
-           (rule.find('=') != std::string::npos && firstFit({rule}, properties));
+    return (!rule.empty() && (rule == called.className || rule == called.name)) ||
+           (rule.find('=') != std::string::npos && firstFit({rule}, called.properties));
   });
 }
 
 CollisionObject asAsked(CollisionObject object, const Options& options) {
-  const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
+  const bool isNotAsked = isLeftOut(object, options);
   if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
   if (object.kind == Kind::unsupported) return object;
   if (isNotAsked) {

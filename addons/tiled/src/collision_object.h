@@ -20,14 +20,11 @@ struct Template {
 using Templates = std::map<std::string, std::unique_ptr<Template>>;
 
 /// A shape in pixels, y down: from the upper left corner of a tile's image, or of the map.
-struct CollisionObject {
+struct CollisionObject : Called {
   enum class Kind : std::uint8_t { rectangle, polygon, polyline, ellipse, capsule, tile, unsupported };
   std::uint32_t id = 0;
   Kind kind = Kind::rectangle;
   std::string unsupported;  ///< the reason, for Kind::unsupported
-  std::string className;
-  std::string name;
-  Properties properties;
   DoublePoint at;
   DoublePoint size;
   double rotation = 0;              ///< degrees, clockwise, around `at`
@@ -50,9 +47,8 @@ CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint
 /// Makes it Kind::unsupported, with the reason.
 void leaveOut(CollisionObject& object, std::string reason);
 
-/// Whether Options::leaveOut has what has this class or name and these properties.
-bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
-               const Properties& properties);
+/// Whether Options::leaveOut has the class or name of something, or a property.
+bool isLeftOut(const Called& called, const Options& options);
 
 /// The object as the options want it: if names say what its block is, its class is its name. One that is hidden may be
 /// left out. An open polyline is left out as well, or gets its thickness. What is left out is of Kind::unsupported, with

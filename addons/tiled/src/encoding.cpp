@@ -11,7 +11,6 @@ namespace lgs::tiled {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
-
 using Error = tl::unexpected<std::string>;
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }

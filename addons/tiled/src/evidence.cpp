@@ -95,6 +95,12 @@ class Chooser {
     if (std::any_of(all.begin(), all.end(), [](const LayerFacts* layer) { return layer->saying.isWall(); }))
       std::erase_if(some, [](const LayerFacts* layer) { return layer->saying.isFloor(); });
     if (!called.empty() || some.empty()) some = called.empty() ? all : called;
+    const LayerFacts& largest = **std::max_element(some.begin(), some.end(), [](const auto* a, const auto* b) {
+      return a->tiles * a->side * a->side < b->tiles * b->side * b->side;
+    });
+    const auto rest = std::stable_partition(some.begin(), some.end(), [&](auto* a) { return a->side == largest.side; });
+    const Layers apart(rest, some.end());
+    some.erase(rest, some.end());
     const bool isPart = some.size() < all.size();
     Options options = options_;
     if (isPart) {
@@ -104,18 +110,20 @@ class Chooser {
     }
     std::string text = called.empty() || !isPart ? "IntGrid layers: " + listed(namesOf(some)) : reasons(some);
     if (!options.objects) join(text, reasons(sayingObjects(facts_)));
-    const auto without = [&](Evidence evidence, const std::vector<std::string>& values) {
+    if (!apart.empty()) text += ", without those whose cells are of another size: " + listed(namesOf(apart));
+    const auto [through, others, floors] = valuesOf(some);
+    const bool isDecided = floors.empty();
+    const Evidence evidence = isDecided ? Evidence::solid : Evidence::offered;
+    const auto without = [&](const std::vector<std::string>& values) {
       Options rest = options;
       rest.leaveOut.insert(rest.leaveOut.end(), values.begin(), values.end());
       add(evidence, std::move(rest), text + (values.empty() ? "" : ", without " + listed(values)));
     };
-    const auto [through, others, floors] = valuesOf(some);
-    const bool isDecided = floors.empty();
-    if (!isDecided) without(Evidence::offered, floors);
-    without(isDecided ? Evidence::solid : Evidence::offered, through);
-    if (isDecided && !others.empty() && others != through) without(Evidence::offered, others);
+    if (!isDecided) without(floors);
+    without(through);
+    if (isDecided && !others.empty() && others != through) without(others);
     if (!isPart) options.objects.emplace();  // all values, as whoever chooses gets them
-    if (!through.empty()) without(isDecided ? Evidence::solid : Evidence::offered, {});
+    if (!through.empty()) without({});
     if (isPart && called.empty()) {
       options = options_;
       options.objects.emplace();
@@ -178,9 +186,7 @@ class Chooser {
     alone.objects.emplace();
     if (!shaped.empty()) add(Evidence::solid, std::move(alone), ofShapes + ", and no more");
     if (!tiles.empty()) add(Evidence::solid, wholeLayers(tiles), reasons(tiles));
-    Options byRule = options_;
-    byRule.solidIf = std::move(rules);
-    if (!byRule.solidIf.empty()) add(Evidence::solid, std::move(byRule), std::move(ofRules));
+    addRules(Evidence::solid, std::move(rules), std::move(ofRules));
   }
 
   /// Layers that say ground. Those that are drawn come first: they were drawn for it; tiles need not be meant so.
@@ -199,24 +205,24 @@ class Chooser {
     }
     if (!tiles.empty()) add(Evidence::ground, std::move(options), std::move(text));
     auto [rules, ofRules] = rulesOf(Says::ground, false);
-    if (rules.empty()) return;
-    Options byRule = options_;
-    byRule.solidIf = std::move(rules);
-    add(Evidence::ground, std::move(byRule), std::move(ofRules));
+    addRules(Evidence::ground, std::move(rules), std::move(ofRules));
+  }
+
+  void addRules(Evidence evidence, std::vector<std::string> rules, std::string text) {
+    Options options = options_;
+    options.solidIf = std::move(rules);
+    if (!options.solidIf.empty()) add(evidence, std::move(options), std::move(text));
   }
 
   /// Object layers that say so, and with those that say collision walls and grounds that were drawn; and objects by
   /// their class or name. `areAll`: layers need not be named that are taken without a word.
   void addObjects(Says says, bool areAll, Options& options, std::string& text) const {
     Layers objects = saying(LayerKind::objects, says);
-    std::vector<std::string> names = namesOf(objects), classes = classesThatSay(says);
-    const bool isAlone = text.empty() && objects.empty() && classes.empty();
-    if (says == Says::collision && !isAlone) {
-      for (const LayerFacts* layer : saying(LayerKind::objects, Says::ground)) {
+    const std::vector<std::string> classes = classesThatSay(says);
+    if (says == Says::collision && !(text.empty() && objects.empty() && classes.empty()))
+      for (const LayerFacts* layer : saying(LayerKind::objects, Says::ground))
         if (!layer->saying.isPart()) objects.push_back(layer);
-      }
-      names = namesOf(objects);
-    }
+    std::vector<std::string> names = namesOf(objects);
     join(text, reasons(objects));
     if (!classes.empty()) join(text, "objects that are called " + listed(classes));
     names.insert(names.end(), classes.begin(), classes.end());
@@ -288,10 +294,8 @@ class Chooser {
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
     if (layers.size() > kMostLayers) layers.resize(kMostLayers);  // no more are tried
-    const std::vector<std::string> tiles = namesOf(
-        layersOf(facts_, [](const LayerFacts& layer) { return layer.kind == LayerKind::tiles && layer.tiles > 0; }));
-    constexpr std::size_t kMostTogether = 4;  // of more some are decoration
-    Layers plain;                             // nobody can tell which of them is the ground, or whether all are
+    constexpr std::size_t kMostTogether = 4;                      // of more some are decoration
+    Layers plain;  // nobody can tell which of them is the ground, or whether all are
     std::copy_if(layers.begin(), layers.end(), std::back_inserter(plain), [&](const LayerFacts* layer) {
       return layer->kind == LayerKind::tiles && layer->saying.says == Says::nothing && !isFull(*layer) &&
              !isTiny(*layer) && !layer->uses.isOther && !layer->uses.isMain;
@@ -303,10 +307,7 @@ class Chooser {
             "tile layers " + listed(namesOf(plain)) + ": nothing says what they are");
       Options options = ofTiles ? wholeLayers({layer}) : options_;
       if (!ofTiles) options.objects = {layer->name};
-      if (layer->bareFigures > 0 && layer->saying.says != Says::nothing) {  // as squares; then tiles would be, too
-        options.solidWithoutShapes = true;
-        options.leaveOut.insert(options.leaveOut.end(), tiles.begin(), tiles.end());
-      }
+      if (layer->bareFigures > 0 && layer->saying.says != Says::nothing) options.solidIf = {ruleOf(*layer)};
       add(Evidence::offered, std::move(options),
           concat(kindOf(*layer), " ", layer->name, ", ",
                  ofTiles ? percent(layer->share()) + " of the map" : counted(layer->objects, "object"),

@@ -6,8 +6,8 @@
 
 namespace lgs::tiled {
 
-/// Whether a layer fills so much of its rectangle that its tiles are not solid: it is what one walks on, seen from
-/// above, or a background. A layer that says collision may be crowded, but not full: then its tiles mean free as well.
+/// Whether a layer fills so much of its rectangle that its tiles are not solid. One that says collision may be crowded,
+/// but not full: then its tiles mean free as well.
 inline bool isFull(const LayerFacts& layer) {
   return layer.share() >= (layer.saying.says == Says::collision ? 0.99 : 0.8);
 }
@@ -41,14 +41,15 @@ using Layers = std::vector<const LayerFacts*>;
 /// Whether an object layer has more than figures, which are things with pictures.
 inline bool isDrawnByHand(const LayerFacts& layer) { return layer.objects > layer.figures || layer.lines > 0; }
 
+/// The rule by which all tiles of a layer, or its tile objects, are full squares.
+inline std::string ruleOf(const LayerFacts& layer) { return kLayerProperty + ("=" + layer.name); }
+
 /// Whether the objects of a layer are things with names, rather than the boxes of a ground.
 inline bool areNamed(const LayerFacts& layer) { return 2 * layer.named > layer.objects; }
 inline bool areThings(const LayerFacts& layer) { return layer.uses.isOther || areNamed(layer); }
 
 /// The only tile layer that could be solid, in a map that says nothing, or the only one of several that is called
-/// "level" or the like, or a foreground beside nothing but backgrounds; or null. It must be half empty: a layer that
-/// fills the map is a picture, or its tiles mean different things. If a layer that its name rules out has more in it, or
-/// it has next to nothing, nobody can tell.
+/// "level" or the like, or a foreground beside nothing but backgrounds; or null. docs/maps.md has the rest.
 const LayerFacts* onlyLayer(const Facts& facts);
 
 /// Whether a layer has so little in it that it is hardly the ground.

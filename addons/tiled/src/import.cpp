@@ -13,21 +13,10 @@
 namespace lgs::tiled {
 namespace {
 
-/// "left out, as asked: 34 uses of 'ladder'"; or nothing.
-std::string leftOutAsAsked(const Report& report) {
-  std::map<std::string, std::uint64_t> uses;
-  for (const TileReport& tile : report.tiles) {
-    if (tile.isLeftOut) uses[tile.className] += tile.uses;
-  }
-  std::string text;
-  for (const auto& [name, count] : uses) join(text, concat(count, " uses of ", inQuotes(name)), ", ");
-  return text.empty() ? text : "left out, as asked: " + text;
-}
-
 class Import {
  public:
-  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left)
-      : options_(options), first_(file), maps_(maps), left_(left), budget_(budget) {
+  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget)
+      : options_(options), first_(file), maps_(maps), budget_(budget) {
     map_.report.file = file.name();
   }
 
@@ -36,8 +25,8 @@ class Import {
     for (const auto& map : maps_) {
       if (!failed()) readMap(*map);
     }
-    if (!failed()) names_.tiles.checkAll(first_, "tile");
-    if (!failed()) names_.objects.checkAll(first_, "object");
+    if (!failed()) names_.tiles.checkAll(first_, "tile", map_.report.layers);
+    if (!failed()) names_.objects.checkAll(first_, "object", map_.report.layers);
     if (!failed()) placer_.finish(map_);
     if (!failed()) checkBudget(first_.root());
     if (failed()) return tl::unexpected(*first_.error());
@@ -79,11 +68,10 @@ class Import {
     const std::vector<Layer> layers = listLayers(file(), options_, source.place, names_);
     const auto first = static_cast<std::uint32_t>(map_.report.layers.size());
     for (const Layer& layer : layers) {
-      LayerReport& report = map_.report.layers.emplace_back();
-      report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
-      report.name = layer.pathInMap;
+      const auto objects = layer.node.children("object");
+      const auto count = static_cast<std::uint64_t>(std::distance(objects.begin(), objects.end()));
+      map_.report.layers.push_back({layer.path, layer.wanted, 0, layer.remark, layer.kind, count, {}, layer.pathInMap});
       asked_.see(layer);
-      for (const auto node : layer.node.children("object")) report.objects += !node.empty();
     }
     const auto read = [&](LayerKind kind, auto&& readLayer) {
       for (std::uint32_t k = 0; k < layers.size(); ++k) {
@@ -107,8 +95,8 @@ class Import {
     Report& report = map_.report;
     const bool isFirst = source_ == maps_.front().get();
     if (!isFirst && (tileWidth != report.tileWidth || tileHeight != report.tileHeight)) {
-      return first_.fail(source_->entry.node,
-                         source_->entry.name +
+      return first_.fail(source_->place.entry,
+                         source_->place.file +
                              " has tiles of another size than the maps before it. One tile becomes one "
                              "cell of the world, so all must have the same");
     }
@@ -153,9 +141,9 @@ class Import {
   }
 
   bool spend(std::size_t placements) {
-    const bool enough = placements <= left_.placements;
+    const bool enough = placements <= budget_.placements;
     if (!enough) file().fail(file().root(), "the map has more polygons than the limit", "maxPlacements");
-    left_.placements -= enough ? placements : 0;
+    budget_.placements -= enough ? placements : 0;
     return enough;
   }
 
@@ -181,7 +169,7 @@ class Import {
       report.note = concat("shifted by ", pixels(current.rest.x), ", ", pixels(current.rest.y),
                            " against the grid: its polygons reach out of their cells");
     }
-    readTiles(file(), layer, left_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
+    readTiles(file(), layer, budget_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
       ++report.tiles;
       placeTile(current, column + current.columns, row + current.rows, gid);
     });
@@ -190,7 +178,7 @@ class Import {
   void placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid) {
     auto ready = layer.ready.find(gid);
     if (ready == layer.ready.end()) {
-      const Tileset* const tileset = source_->tilesets.of(tileNumber(gid));
+      const Tileset* const tileset = tilesetOf(source_->tilesets, tileNumber(gid));
       strayTiles_ += tileset == nullptr;
       if (!tileset) return;
       ready = layer.ready.emplace(gid, readyTile(layer, *tileset, gid)).first;
@@ -234,12 +222,8 @@ class Import {
     const auto next = static_cast<std::uint32_t>(tiles.size());
     const auto [at, isNew] = reports_.try_emplace({tileset.name, id, tile.className}, next);
     if (!isNew) return at->second;
-    TileReport& report = tiles.emplace_back();
-    report.tileset = tileset.name;
-    report.id = id;
-    report.className = tile.className;
-    report.isLeftOut = isLeftOut(tile, options_);
-    report.hasShapes = !report.isLeftOut && !tile.objects.empty();
+    const bool isOut = isLeftOut(tile, options_);
+    tiles.push_back({tileset.name, id, tile.className, 0, !isOut && !tile.objects.empty(), {}, false, isOut});
     return next;
   }
 
@@ -250,14 +234,19 @@ class Import {
     report.height = side(max_.y - min_.y);
     std::set<std::string> missing;
     for (const auto& map : maps_) {
-      for (const Tileset& tileset : map->tilesets.all()) {
+      for (const Tileset& tileset : map->tilesets) {
         asked_.see(tileset);
         if (!tileset.missing.empty()) missing.insert(tileset.missing);
       }
       for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
     }
     join(report.partial, listed({missing.begin(), missing.end()}));
-    if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
+    std::map<std::string, std::uint64_t> left;
+    for (const TileReport& tile : report.tiles)
+      if (tile.isLeftOut) left[tile.className] += tile.uses;
+    std::string uses;
+    for (const auto& [name, count] : left) join(uses, concat(count, " uses of ", inQuotes(name)), ", ");
+    if (!uses.empty()) report.notes.push_back("left out, as asked: " + uses);
     if (strayTiles_ > 0) report.notes.push_back(concat(strayTiles_, " tiles belong to no tileset of the map"));
     const auto sort = [](std::vector<Note>& notes) {
       std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
@@ -273,7 +262,6 @@ class Import {
   const Options& options_;
   const XmlFile& first_;  // the map or the world
   const Maps& maps_;
-  Limits& left_;
   Budget& budget_;
   LayerNames names_{options_};
   AskedNames asked_{options_};
@@ -293,8 +281,8 @@ class Import {
 }  // namespace
 
 tl::expected<ImportedMap, ImportError> importMaps(const XmlFile& file, const Maps& maps, const Options& options,
-                                                  Budget& budget, Limits& left) {
-  return Import(file, maps, options, budget, left).run();
+                                                  Budget& budget) {
+  return Import(file, maps, options, budget).run();
 }
 
 }  // namespace lgs::tiled

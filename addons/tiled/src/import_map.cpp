@@ -4,7 +4,6 @@
 #include "ldtk.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -41,6 +40,7 @@ class WholeImport {
     Imported map = take();
     if (!map) return map;
     if (missing_) join(map->report.partial, missing_->second);
+    budget_.refill(options_);
     if (map->placements.empty()) {
       if (!leaveChoice(options_)) takeCensus();
       offerAll(*map);
@@ -55,8 +55,7 @@ class WholeImport {
 
  private:
   void takeCensus() {
-    std::size_t tiles = options_.maxTiles;
-    if (!error_) facts_ = census(maps_, options_, tiles);
+    if (!error_) facts_ = census(maps_, options_);
     choices_ = choices(facts_, options_);
   }
 
@@ -64,15 +63,15 @@ class WholeImport {
   Imported take() {
     for (const Choice& choice : choices_) {
       if (!isTakenByItself(choice)) continue;
-      Limits left(options_);
-      Imported map = import(choice.options, budget_, left);
+      budget_.refill(options_);
+      Imported map = import(choice.options, budget_);
       if (!map) return map;
       if (map->placements.empty() || isOutweighed(choice, map->report)) continue;
       taken_ = choice;
       return map;
     }
-    Limits left(options_);
-    Imported map = import(options_, budget_, left);
+    budget_.refill(options_);
+    Imported map = import(options_, budget_);
     if (map && leaveChoice(options_)) forget(*map);
     return map;
   }
@@ -88,14 +87,14 @@ class WholeImport {
            only->tiles > 4 * report.cells;
   }
 
-  /// One pass with these options. What it takes of the budget and of what is left is gone for the next.
-  Imported import(const Options& options, Budget& budget, Limits& left) {
+  /// One pass with these options. What it takes of the budget is gone for the next.
+  Imported import(const Options& options, Budget& budget) {
     Options settled = options;
     std::vector<std::string> notes = notes_;
     const XmlFile& file = world_ ? *world_ : *maps_.front()->file;
     if (file.root().attribute(kLdtkAttribute)) settleLdtk(file, settled, notes);
     if (error_) return tl::unexpected(*error_);
-    Imported map = importMaps(file, maps_, settled, budget, left);
+    Imported map = importMaps(file, maps_, settled, budget);
     if (map) map->report.notes.insert(map->report.notes.begin(), notes.begin(), notes.end());
     return map;
   }
@@ -128,7 +127,7 @@ class WholeImport {
     if (isSpent_ || tried_ == kMaxSuggestions || !offered_.insert(arguments).second) return true;
     ++tried_;
     Budget budget = budget_;
-    const Imported other = import(options, budget, left_);
+    const Imported other = import(options, budget);
     isSpent_ = budget.isOutOfWork() || budget.isOutOfCells();
     if (!isSpent_) budget_ = budget;
     error_.reset();  // nothing but an offer that is not made
@@ -143,8 +142,7 @@ class WholeImport {
     if (options_.visibleOnly) {
       Options options = options_;
       options.visibleOnly = false;
-      std::size_t tiles = options.maxTiles;
-      std::vector<Choice> all = choices(census(maps_, options, tiles), options);
+      std::vector<Choice> all = choices(census(maps_, options), options);
       error_.reset();
       if (!leaveChoice(options)) all = {{Evidence::solid, options, "what was asked for"}};
       for (const Choice& choice : all)
@@ -205,39 +203,25 @@ class WholeImport {
     return text;
   }
 
-  /// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
-  std::unique_ptr<const XmlFile> openMapOf(const WorldMap& entry) {
-    auto file = std::make_unique<const XmlFile>(*world_, entry.name, "map", error_);
+  /// Opens a map of a world. It may be missing.
+  void openMapOf(const MapPlace& entry) {
+    auto file = std::make_unique<const XmlFile>(*world_, entry.file, "map", error_);
     if (std::string what = file->takeReason("map"); !what.empty()) {
-      if (!file->isMissing() || options_.allMaps) {
-        world_->fail(entry.node, std::move(what));
-      } else {
-        notes_.push_back("a map of the world is left out: " + what);
-        if (!missing_) missing_ = {entry.node, std::move(what)};
-      }
-      return nullptr;
+      if (!file->isMissing() || options_.allMaps) return world_->fail(entry.entry, std::move(what));
+      notes_.push_back("a map of the world is left out: " + what);
+      if (!missing_) missing_ = {entry.entry, std::move(what)};
+      return;
     }
-    if (!file->failed() &&
-        (std::string_view(file->root().name()) == "world" || file->root().attribute(kLdtkAttribute))) {
-      world_->fail(entry.node, entry.name + " is no map of Tiled's");
-    }
-    if (const std::string pattern = entry.node.attribute("regexp").value(); file->failed() && !pattern.empty()) {
+    if (!error_ && (std::string_view(file->root().name()) == "world" || file->root().attribute(kLdtkAttribute)))
+      world_->fail(entry.entry, entry.file + " is no map of Tiled's");
+    if (const std::string pattern = entry.entry.attribute("regexp").value(); error_ && !pattern.empty())
       error_->what += " (it fits the pattern " + inQuotes(pattern) + " of the world)";  // perhaps by mistake
-    }
-    if (file->failed()) return nullptr;
-    return file;
+    if (!error_) maps_.push_back(std::make_unique<MapSource>(std::move(file), entry, options_));
   }
 
   void openWorld() {
-    for (const WorldMap& entry : mapsOf(*world_, lister_, notes_)) {
-      if (error_) return;
-      auto file = openMapOf(entry);
-      if (!file) continue;
-      const MapPlace place{std::filesystem::path(entry.name).replace_extension().generic_string(), entry.at};
-      maps_.push_back(std::make_unique<MapSource>(std::move(file), place, options_));
-      if (error_) return;
-      maps_.back()->entry = entry;
-    }
+    for (const MapPlace& entry : mapsOf(*world_, lister_, notes_))
+      if (!error_) openMapOf(entry);
     if (maps_.empty() && missing_) world_->fail(missing_->first, missing_->second);
   }
 
@@ -255,7 +239,6 @@ class WholeImport {
   Facts facts_;
   std::vector<Choice> choices_;
   std::optional<Choice> taken_;
-  Limits left_ = Limits(options_);  // for all that is tried
   std::size_t tried_ = 0;
   bool isSpent_ = false;
   std::set<std::vector<std::string>> offered_;
@@ -270,7 +253,7 @@ MapSource::MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const O
   if (!orientation.empty() && orientation != "orthogonal")
     file->fail(root, concat("has the orientation", file->quoted(" ", orientation),
                             ": only orthogonal maps have square cells"));
-  if (!file->failed()) tilesets.read(*file, templates, options.tiles);
+  if (!file->failed()) tilesets = readTilesets(*file, templates, options.tiles);
 }
 
 std::optional<Block> ImportedMap::block(const std::string& name) const {

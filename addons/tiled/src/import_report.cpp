@@ -28,8 +28,7 @@ std::size_t columns(const std::string& text) {
 }
 
 std::string padded(std::string text, std::size_t width) {
-  if (const std::size_t taken = columns(text); taken < width) text.append(width - taken, ' ');
-  return text;
+  return text.append(width - std::min(width, columns(text)), ' ');
 }
 
 std::string tileName(const TileReport& tile) { return concat(tile.tileset, " #", tile.id); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace lgs::tiled {
@@ -20,8 +21,8 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
 
   bool start_object(std::size_t) { return open(); }
   bool start_array(std::size_t) { return open(); }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
+  bool end_object() { return depth_-- > 0; }
+  bool end_array() { return depth_-- > 0; }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& exception) {
     const std::string_view read = text_.substr(0, position);
     fault.line = static_cast<int>(1 + std::count(read.begin(), read.end(), '\n') - read.ends_with('\n'));
@@ -38,13 +39,9 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
 
  private:
   bool open() {
-    if (depth_++ < kMaxJsonDepth) return true;
-    fault.what = concat("has arrays and objects in each other, more than ", kMaxJsonDepth, " deep");
-    return false;
-  }
-  bool close() {
-    --depth_;
-    return true;
+    if (depth_ == kMaxJsonDepth)
+      fault.what = concat("has arrays and objects in each other, more than ", depth_, " deep");
+    return depth_++ < kMaxJsonDepth;
   }
 
   std::string_view text_;
@@ -54,46 +51,39 @@ class Checker : public nlohmann::detail::json_sax_acceptor<Json> {
 
 const Json kNoJson;
 
-struct Known {
-  Sign kind;
-  std::string_view sign;
-  std::string_view what;
-};
-
-constexpr std::array kKnown{
-    Known{Sign::text, "[gd_scene", "a Godot scene"},
-    Known{Sign::text, "[gd_resource", "a Godot resource"},
-    Known{Sign::text, "\x89PNG", "a PNG image, and no map"},
-    Known{Sign::text, "\xFF\xD8\xFF", "a JPEG image, and no map"},
-    Known{Sign::text, "GIF8", "a GIF image, and no map"},
-    Known{Sign::text, "RIFF", "an image or a sound, and no map"},
-    Known{Sign::text, "PK\x03\x04", "a ZIP archive: unpack it"},
-    Known{Sign::text, "\x1F\x8B", "packed by gzip: unpack it"},
-    Known{Sign::text, "%YAML", "a file of Unity or another program that writes YAML"},
-    Known{Sign::text, "version https://git-lfs", "a pointer of Git LFS: fetch the file itself with 'git lfs pull'"},
-    Known{Sign::text, "return {", "a Lua export: save the map as TMX or JSON"},
-    Known{Sign::text, "(function(name,data)", "a JavaScript export: save the map as TMX or JSON"},
-    Known{Sign::text, "lgs-trace", "a trace of lgs, and no map"},
-    Known{Sign::text, "lgssnap", "a saved world of lgs, and no map"},
-    Known{Sign::xml, "html", "a web page: download the file itself"},
-    Known{Sign::xml, "svg", "an SVG image, and no map"},
-    Known{Sign::xml, "ogmo", "an Ogmo project"},
-    Known{Sign::xml, "OgmoProject", "an Ogmo project"},
-    Known{Sign::xml, "level", "a level of Ogmo or another editor"},
-    Known{Sign::xml, "objecttypes", "a list of Tiled's object types"},
-    Known{Sign::json, "layerInstances", "one level of an LDtk project: import the project (.ldtk) that names it"},
-    Known{Sign::json, "ogmoVersion", "an Ogmo project or level"},
-    Known{Sign::json, "automappingRulesFile", "a Tiled project, which only lists folders: import its maps"},
-    Known{Sign::json, "expandedProjectPaths", "a Tiled session: import a map"},
-    Known{Sign::json, "frames", "an atlas of sprites, and no map"},
-};
+constexpr auto kKnown = std::to_array<std::tuple<Sign, std::string_view, std::string_view>>({
+    {Sign::text, "[gd_scene", "a Godot scene"},
+    {Sign::text, "[gd_resource", "a Godot resource"},
+    {Sign::text, "\x89PNG", "a PNG image, and no map"},
+    {Sign::text, "\xFF\xD8\xFF", "a JPEG image, and no map"},
+    {Sign::text, "GIF8", "a GIF image, and no map"},
+    {Sign::text, "RIFF", "an image or a sound, and no map"},
+    {Sign::text, "PK\x03\x04", "a ZIP archive: unpack it"},
+    {Sign::text, "\x1F\x8B", "packed by gzip: unpack it"},
+    {Sign::text, "%YAML", "a file of Unity or another program that writes YAML"},
+    {Sign::text, "version https://git-lfs", "a pointer of Git LFS: fetch the file itself with 'git lfs pull'"},
+    {Sign::text, "return {", "a Lua export: save the map as TMX or JSON"},
+    {Sign::text, "(function(name,data)", "a JavaScript export: save the map as TMX or JSON"},
+    {Sign::text, "lgs-trace", "a trace of lgs, and no map"},
+    {Sign::text, "lgssnap", "a saved world of lgs, and no map"},
+    {Sign::xml, "html", "a web page: download the file itself"},
+    {Sign::xml, "svg", "an SVG image, and no map"},
+    {Sign::xml, "ogmo", "an Ogmo project"},
+    {Sign::xml, "OgmoProject", "an Ogmo project"},
+    {Sign::xml, "level", "a level of Ogmo or another editor"},
+    {Sign::xml, "objecttypes", "a list of Tiled's object types"},
+    {Sign::json, "layerInstances", "one level of an LDtk project: import the project (.ldtk) that names it"},
+    {Sign::json, "ogmoVersion", "an Ogmo project or level"},
+    {Sign::json, "automappingRulesFile", "a Tiled project, which only lists folders: import its maps"},
+    {Sign::json, "expandedProjectPaths", "a Tiled session: import a map"},
+    {Sign::json, "frames", "an atlas of sprites, and no map"},
+});
 
 /// "map", "tileset", "template" or "world"; "" for what is none of Tiled's. Before Tiled 1.0 files did not say it.
 const char* tiledKind(const JsonPlace& root) {
   const std::string type = root.text("type");
-  for (const char* kind : {"map", "tileset", "template", "world"}) {
+  for (const char* kind : {"map", "tileset", "template", "world"})
     if (type == kind) return kind;
-  }
   if (!type.empty()) return "";
   const auto has = [&](const char* key) { return !root[key].isMissing(); };
   if (has("layers") && has("tilewidth")) return "map";
@@ -109,10 +99,7 @@ tl::expected<Json, ImportError> parseJson(std::string_view text, bool mayQuote) 
   return Json::parse(text.begin(), text.end(), nullptr, false);
 }
 
-bool JsonPlace::is(const char* key) const {
-  const Json& flag = *(*this)[key].value;
-  return flag.is_boolean() && flag.get<bool>();
-}
+bool JsonPlace::is(const char* key) const { return *(*this)[key].value == Json(true); }
 
 JsonPlace JsonPlace::operator[](const char* key) const {
   JsonPlace result{&kNoJson, concat(path, path.empty() ? "" : "/", key), file};
@@ -135,11 +122,8 @@ std::string numberText(double value) {
 
 std::optional<std::string> scalarText(const Json& value) {
   if (value.is_string()) return value.get_ref<const std::string&>();
-  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-  if (value.is_number_unsigned()) return std::to_string(value.get<std::uint64_t>());
-  if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
   if (value.is_number_float()) return numberText(value.get<double>());
-  return std::nullopt;
+  return value.is_boolean() || value.is_number() ? std::optional(value.dump()) : std::nullopt;
 }
 
 void JsonPlace::fail(std::string what) const {
@@ -193,8 +177,8 @@ void addProperty(pugi::xml_node node, const std::string& name, const Json& value
 }
 
 std::string foreign(Sign kind, const std::function<bool(std::string_view sign)>& has) {
-  for (const Known& one : kKnown)
-    if (one.kind == kind && has(one.sign)) return isForeign(one.what);
+  for (const auto& [of, sign, what] : kKnown)
+    if (of == kind && has(sign)) return isForeign(what);
   return {};
 }
 

@@ -48,9 +48,6 @@ struct JsonPlace {
 /// A scalar as XML writes it: numbers in the fewest digits that mean the same. Nothing for null, arrays and objects.
 std::optional<std::string> scalarText(const Json& value);
 
-/// The attribute with the path to what an element was made of. No key of Tiled's has a colon.
-inline constexpr const char* kPathAttribute = "json:path";
-
 /// A new element that was made of a value.
 pugi::xml_node addElement(pugi::xml_node parent, const char* name, const JsonPlace& from);
 

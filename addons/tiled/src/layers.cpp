@@ -5,6 +5,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace lgs::tiled {
@@ -13,14 +14,15 @@ namespace {
 constexpr int kMaxDepth = 64;               // of groups in groups
 constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place; far below kMaxCell
 
+constexpr const char* kOnlyDrawn = "tiles that are only drawn";
+constexpr std::array kAskedAs{"a tile layer: --layer ", "an object layer: --objects ",
+                              "a layer of tiles that are only drawn: --solid --layer "};  // by LayerKind
+
 /// Goes through the tree of groups.
 class Lister {
  public:
   Lister(const XmlFile& file, const Options& options, LayerNames& names)
-      : file_(file),
-        options_(options),
-        drawnCounts_(options.solidWithoutShapes || !options.solidIf.empty()),
-        names_(names) {}
+      : file_(file), options_(options), names_(names) {}
 
   /// `wanted` of the parent is that of its tile layers.
   void list(pugi::xml_node node, const Layer& parent) {
@@ -28,7 +30,7 @@ class Lister {
     for (const auto child : node.children()) {
       if (world && std::string_view(world.value()) != child.attribute("name").value()) continue;
       const std::string_view kind = child.name();
-      const bool isDrawn = child.attribute(kDrawnAttribute) && !drawnCounts_;
+      const bool isDrawn = kind == "layer" && child.attribute(kDrawnAttribute) && !drawnCounts_;
       const bool group = kind == "group", tiles = kind == "layer" && !isDrawn, objects = kind == "objectgroup";
       if (!group && !tiles && !objects && !isDrawn && kind != "imagelayer") continue;
       Layer self = parent;
@@ -45,9 +47,6 @@ class Lister {
       self.offset.y += file_.real(child, "offsety");
       if (group || tiles) self.wanted = names_.tiles.fit(self) || self.wanted;
       if (group || objects) self.areObjectsAsked = names_.objects.fit(self) || self.areObjectsAsked;
-      if (tiles) names_.objects.seeOther(self, "a tile layer: --layer ");
-      if (objects) names_.tiles.seeOther(self, "an object layer: --objects ");
-      if (isDrawn) names_.tiles.seeOther(self, "a layer of tiles that are only drawn: --solid --layer ");
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
       } else if (self.depth > kMaxDepth) {
@@ -76,11 +75,11 @@ class Lister {
       chooseObjects(layer);
     } else if (kind == LayerKind::image) {
       layer.wanted = false;
-      layer.remark = layer.node.attribute(kDrawnAttribute) ? "tiles that are only drawn" : "an image";
+      layer.remark = layer.node.attribute(kDrawnAttribute) ? kOnlyDrawn : "an image";
     } else {
       layer.remark = layer.wanted ? layer.node.attribute(kRemarkAttribute).value() : "not chosen";
     }
-    if (isLeftOut(options_, layer.node.attribute("name").value(), layer.pathInMap, propertiesOf(layer.node))) {
+    if (isLeftOut({layer.pathInMap, layer.node.attribute("name").value(), propertiesOf(layer.node)}, options_)) {
       layer.wanted = layer.isInReach = false;
       layer.remark = "left out (--not)";
     }
@@ -91,9 +90,8 @@ class Lister {
     } else if (layer.isHidden && kind != LayerKind::image) {
       join(layer.remark, layer.wanted ? "hidden (--visible leaves it out)" : "hidden");
     }
-    if (layer.wanted && layer.scrollsApart) {
+    if (layer.wanted && layer.scrollsApart)
       join(layer.remark, "scrolls at its own speed (parallax); imported where it stands in the editor");
-    }
     layers_.push_back(std::move(layer));
   }
 
@@ -111,26 +109,20 @@ class Lister {
 
   void pickObjects(Layer& layer) const {
     if (!options_.objects && options_.solidIf.empty()) return;
-    for (const auto object : layer.node.children("object")) {
-      const std::string className = classOf(object), name = object.attribute("name").value();
-      if (!isPicked(options_, className, name, options_.objects ? Properties{} : propertiesOf(object))) continue;
+    for (const auto node : layer.node.children("object")) {
+      const Called object = calledOf(node);
+      if (!isPicked(object, options_)) continue;
       layer.wanted = layer.isPicked = true;
-      names_.objects.seeName(className);
-      names_.objects.seeName(name);
+      names_.objects.seeName(object.className);
+      names_.objects.seeName(object.name);
     }
   }
 
   const XmlFile& file_;
   const Options& options_;
-  bool drawnCounts_;  // tiles of LDtk that are only drawn
+  const bool drawnCounts_ = options_.solidWithoutShapes || !options_.solidIf.empty();  // what LDtk only draws
   LayerNames& names_;
   std::vector<Layer> layers_;
-};
-
-/// A rectangle of tiles: a whole layer, or a chunk of an infinite one.
-struct TileRect {
-  pugi::xml_node node;
-  std::int64_t column = 0, row = 0, width = 0, height = 0;
 };
 
 /// The paths and the name of a layer or group.
@@ -138,39 +130,46 @@ std::vector<std::string> callsOf(const Layer& layer) {
   return {layer.path, layer.pathInMap, layer.node.attribute("name").value()};
 }
 
-tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data, const TileRect& rect) {
-  const auto count = static_cast<std::size_t>(rect.width * rect.height);
+tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data, pugi::xml_node tiles,
+                                       std::size_t count) {
   const std::string_view encoding = data.attribute("encoding").value();
-  if (encoding == "csv") return decodeCsv(rect.node.text().get(), count);
+  if (encoding == "csv") return decodeCsv(tiles.text().get(), count);
   const std::string_view compression = data.attribute("compression").value();
   if (encoding == "base64" && !isOneOf(compression, {"", "zlib", "gzip", "zstd"}))
     return tl::unexpected(concat("has the unknown compression", file.quoted(" ", compression),
                                  ": save the map with zlib, gzip, zstd or none"));
-  if (encoding == "base64") return decodeBase64(rect.node.text().get(), compression, count);
+  if (encoding == "base64") return decodeBase64(tiles.text().get(), compression, count);
   if (!encoding.empty()) {
     return tl::unexpected(
         concat("has the unknown encoding", file.quoted(" ", encoding), ": save the map with csv or base64"));
   }
   Gids gids;
-  for (const auto tile : rect.node.children("tile")) {
+  for (const auto tile : tiles.children("tile")) {
     gids.push_back(static_cast<std::uint32_t>(file.integer(tile, "gid", 0, 0, 0xFFFF'FFFF)));
   }
   if (gids.size() == count) return gids;
   return tl::unexpected(concat("holds ", gids.size(), " <tile> elements where its size asks for ", count));
 }
 
-void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, std::size_t& budget,
+/// Reads a rectangle of tiles: a whole layer, or a chunk of an infinite one.
+void readRect(const XmlFile& file, pugi::xml_node data, pugi::xml_node rect, std::size_t& budget,
               const TileSink& sink) {
+  const bool isChunk = rect.parent() == data;
+  const auto side = [&](const char* name) { return file.integer(rect, name, std::nullopt, 0, kMaxSide); };
+  const auto place = [&](const char* name) {
+    return isChunk ? file.integer(rect, name, std::nullopt, -kMaxSide, kMaxSide) : 0;
+  };
+  const std::int64_t column = place("x"), row = place("y"), width = side("width"), height = side("height");
   if (file.failed()) return;
-  const auto count = static_cast<std::uint64_t>(rect.width * rect.height);
-  if (count > budget) return file.fail(rect.node, "the map has more tiles than the limit", "maxTiles");
+  const auto count = static_cast<std::uint64_t>(width * height);
+  if (count > budget) return file.fail(isChunk ? rect : data, "the map has more tiles than the limit", "maxTiles");
   budget -= static_cast<std::size_t>(count);
   if (count == 0) return;
-  const auto gids = decode(file, data, rect);
-  if (!gids) return file.fail(rect.node, gids.error());
+  const auto gids = decode(file, data, isChunk ? rect : data, static_cast<std::size_t>(count));
+  if (!gids) return file.fail(isChunk ? rect : data, gids.error());
   for (std::size_t i = 0; i < gids->size() && !file.failed(); ++i) {
     const auto at = static_cast<std::int64_t>(i);
-    if ((*gids)[i] != 0) sink(rect.column + at % rect.width, rect.row + at / rect.width, (*gids)[i]);
+    if ((*gids)[i] != 0) sink(column + at % width, row + at / width, (*gids)[i]);
   }
 }
 
@@ -182,10 +181,11 @@ Properties propertiesOf(const Layer& layer) {
   return result;
 }
 
-bool isPicked(const Options& options, const std::string& className, const std::string& name,
-              const Properties& properties) {
-  if (!options.objects) return firstFit(options.solidIf, properties) != nullptr;
-  return (!className.empty() && has(*options.objects, className)) || (!name.empty() && has(*options.objects, name));
+bool isPicked(const Called& object, const Options& options) {
+  if (!options.objects) return firstFit(options.solidIf, object.properties) != nullptr;
+  return std::any_of(options.objects->begin(), options.objects->end(), [&](const std::string& name) {
+    return !name.empty() && (name == object.className || name == object.name);
+  });
 }
 
 bool AskedLayers::fit(const Layer& layer) {
@@ -200,16 +200,14 @@ bool AskedLayers::fit(const Layer& layer) {
   return fits;
 }
 
-void AskedLayers::seeOther(const Layer& layer, const char* what) {
-  for (const std::string& name : callsOf(layer))
-    if (asked_.contains(name)) others_[name] = what;
-}
-
-void AskedLayers::checkAll(const XmlFile& file, const char* kind) const {
+void AskedLayers::checkAll(const XmlFile& file, const char* kind, const std::vector<LayerReport>& layers) const {
   for (const std::string& name : asked_) {
     if (found_.contains(name)) continue;
-    const auto other = others_.find(name);
-    if (other != others_.end()) file.fail({}, concat("'", name, "' is ", other->second, shellWord(name)));
+    for (const LayerReport& other : layers) {
+      const bool isIt = isOneOf(name, {other.path, other.name}) || other.path.ends_with("/" + name);
+      if (isIt && (other.kind != LayerKind::image || other.note == kOnlyDrawn))
+        file.fail({}, concat("'", name, "' is ", kAskedAs[static_cast<std::size_t>(other.kind)], shellWord(name)));
+    }
     file.fail(file.root(), concat("has no ", kind, " layer or group '", name, "'", thereAre(name, known_)));
   }
 }
@@ -232,18 +230,9 @@ std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const
 void readTiles(const XmlFile& file, const Layer& layer, std::size_t& budget, const TileSink& sink) {
   const auto data = layer.node.child("data");
   if (!data) return file.fail(layer.node, "has no <data>");
-  const auto side = [&](pugi::xml_node node, const char* attribute) {
-    return file.integer(node, attribute, std::nullopt, 0, kMaxSide);
-  };
-  if (!file.root().attribute("infinite").as_bool() && !data.child("chunk")) {
-    return readRect(file, data, {data, 0, 0, side(layer.node, "width"), side(layer.node, "height")}, budget, sink);
-  }
-  for (const auto chunk : data.children("chunk")) {
-    const auto place = [&](const char* attribute) {
-      return file.integer(chunk, attribute, std::nullopt, -kMaxSide, kMaxSide);
-    };
-    readRect(file, data, {chunk, place("x"), place("y"), side(chunk, "width"), side(chunk, "height")}, budget, sink);
-  }
+  const bool isWhole = !file.root().attribute("infinite").as_bool() && !data.child("chunk");
+  if (isWhole) return readRect(file, data, layer.node, budget, sink);
+  for (const auto chunk : data.children("chunk")) readRect(file, data, chunk, budget, sink);
 }
 
 }  // namespace lgs::tiled

@@ -36,20 +36,14 @@ Properties propertiesOf(const Layer& layer);
 
 /// Whether Options::objects has the class or name of an object; or if there are none, whether Options::solidIf has one of
 /// its properties.
-bool isPicked(const Options& options, const std::string& className, const std::string& name,
-              const Properties& properties);
-
-/// The attribute of a project of LDtk with several worlds: the name of the one whose layers are listed.
-inline constexpr const char* kWorldAttribute = "lgs:world";
-
-/// Attributes of a layer of LDtk: its tiles are only drawn; what the report says of it.
-inline constexpr const char* kDrawnAttribute = "lgs:drawn";
-inline constexpr const char* kRemarkAttribute = "lgs:remark";
+bool isPicked(const Called& object, const Options& options);
 
 /// Where a map stands among others.
 struct MapPlace {
-  std::string name;    ///< empty for a map by itself
-  DoublePoint offset;  ///< of its upper left corner, pixels, y down
+  std::string name = {};      ///< of its file, without the extension; empty for a map by itself
+  DoublePoint offset = {};    ///< of its upper left corner, pixels, y down
+  std::string file = {};      ///< as the world names it
+  pugi::xml_node entry = {};  ///< what names it: a <map> or <pattern>
 };
 
 /// The names of layers of one kind that the options ask for, and which of them were found.
@@ -60,19 +54,15 @@ class AskedLayers {
   /// Whether this is a layer or group that was asked for, by its name or path.
   bool fit(const Layer& layer);
 
-  /// A layer of another kind, which is none that was asked for. The error says `what` it is.
-  void seeOther(const Layer& layer, const char* what);
-
   /// The class or the name of an object: perhaps one was asked for.
   void seeName(const std::string& name) { found_.insert(name); }
 
-  /// If a name fits no layer of all that were listed, the file keeps an error.
-  void checkAll(const XmlFile& file, const char* kind) const;
+  /// If a name fits no layer, the file keeps an error, which tells of one of another kind that has the name.
+  void checkAll(const XmlFile& file, const char* kind, const std::vector<LayerReport>& layers) const;
 
  private:
   std::set<std::string> asked_, found_;
   std::set<std::string> known_;  // the names of all layers and groups that were looked at, if any is asked for
-  std::map<std::string, const char*> others_;
 };
 
 struct LayerNames {
@@ -87,8 +77,7 @@ std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const
 /// Receives the tiles that are not empty, row by row. The number still holds the flags for flipping.
 using TileSink = std::function<void(std::int64_t column, std::int64_t row, std::uint32_t gid)>;
 
-/// Reads the tiles of a layer. `budget` says how many tiles may still be read; it goes down by the layer's, empty ones
-/// too.
+/// Reads the tiles of a layer. So many may still be read as the budget says; it goes down by all, empty ones too.
 void readTiles(const XmlFile& file, const Layer& layer, std::size_t& budget, const TileSink& sink);
 
 using Gids = std::vector<std::uint32_t>;

@@ -122,9 +122,8 @@ class LdtkProject {
     if (!(side >= 1 && side <= kMaxCellPixels && side == std::floor(side)))
       return layer["__gridSize"].fail(concat("should be a whole number from 1 to ", kMaxCellPixels));
     const pugi::xml_node node = addLayer(to, "layer", layer);
-    for (const auto& [name, key] :
-         {std::pair(kLdtkGridAttribute, "__gridSize"), std::pair("width", "__cWid"), std::pair("height", "__cHei")})
-      setNumbers(node, {{name, layer[key].number()}});
+    setNumbers(node, {{kLdtkGridAttribute, side}, {"width", layer["__cWid"].number()}});
+    setNumbers(node, {{"height", layer["__cHei"].number()}});
     const pugi::xml_node data = addElement(node, "data", csv);
     setAttribute(data, "encoding", "csv");
     std::string list;
@@ -212,8 +211,8 @@ class LdtkProject {
     const DoublePoint at = pair(entity["px"]), size{entity["width"].number(), entity["height"].number()};
     const DoublePoint pivot = entity["__pivot"].isMissing() ? DoublePoint{} : pair(entity["__pivot"]);
     setAttribute(to, "type", entity.text("__identifier"));
-    setNumbers(to, {{"x", at.x - pivot.x * size.x}, {"y", at.y - pivot.y * size.y}});
-    setNumbers(to, {{"width", size.x}, {"height", size.y}});
+    setNumbers(to,
+               {{"x", at.x - pivot.x * size.x}, {"y", at.y - pivot.y * size.y}, {"width", size.x}, {"height", size.y}});
     if (in(entities_, entity["defUid"].number(0)).text("renderMode") == "Ellipse") to.append_child("ellipse");
     for (const JsonPlace& field : entity["fieldInstances"].objects()) {
       addProperty(to, field.text("__identifier"), *field["__value"].value);
@@ -259,7 +258,7 @@ class LdtkProject {
       std::string name = set.layer;
       while (valueOf_.contains(name)) name.insert(0, set.layer + ".");
       const pugi::xml_node node = writeTileset(set);
-      setAttribute(node, kLdtkDrawnAttribute, name);
+      setAttribute(node, kDrawnAttribute, name);
       std::map<double, pugi::xml_node> tiles;
       for (const auto& [id, none] : set.tiles) tiles[static_cast<double>(id)] = writeTile(node, id, name);
       for (const JsonPlace& tag : in(tilesets_, key.second)["enumTags"].objects()) {

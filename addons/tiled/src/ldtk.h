@@ -7,15 +7,6 @@
 
 namespace lgs::tiled {
 
-/// Attributes of the document that no map of Tiled's has.
-inline constexpr const char* kLdtkAttribute = "ldtk:version";    ///< of the root; its version of LDtk
-inline constexpr const char* kLdtkGridAttribute = "__gridSize";  ///< of the root and of layers: a cell's side, pixels
-/// Of a world: from the first level to the last one. The root is the world unless there are several.
-inline constexpr const char* kLdtkWidthAttribute = "ldtk:width";
-inline constexpr const char* kLdtkHeightAttribute = "ldtk:height";
-inline constexpr const char* kLdtkDepthsAttribute = "ldtk:depths";  ///< of a world: levels have several depths
-inline constexpr const char* kLdtkDrawnAttribute = "ldtk:drawn";    ///< of tilesets whose tiles are only drawn
-
 /// The longest side of a cell.
 inline constexpr int kMaxCellPixels = 1 << 16;
 

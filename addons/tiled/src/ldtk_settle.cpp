@@ -2,7 +2,6 @@
 #include "layers.h"
 #include "ldtk.h"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -12,44 +11,38 @@ namespace {
 
 /// One cell is one tile, so the tile layers that are wanted must have one grid. Returns the side of its cells.
 double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
-  const auto isWanted = [](const Layer& layer) { return layer.wanted && layer.kind == LayerKind::tiles; };
+  const Layer* first = nullptr;
   const auto side = [](const Layer& layer) { return std::string(layer.node.attribute(kLdtkGridAttribute).value()); };
-  const auto first = std::find_if(layers.begin(), layers.end(), isWanted);
-  const auto other = std::find_if(first, layers.end(),
-                                  [&](const Layer& layer) { return isWanted(layer) && side(layer) != side(*first); });
-  if (other != layers.end()) {
-    file.fail(other->node,
-              "has a grid of " + side(*other) + " px, and " + first->path + " one of " + side(*first) +
-                  " px. One cell of the grid becomes one cell of the world, so choose layers that have one grid",
-              "layers");
+  for (const Layer& layer : layers) {
+    if (!layer.wanted || layer.kind != LayerKind::tiles) continue;
+    if (!first) first = &layer;
+    if (side(layer) != side(*first))
+      file.fail(layer.node,
+                "has a grid of " + side(layer) + " px, and " + first->path + " one of " + side(*first) +
+                    " px. One cell of the grid becomes one cell of the world, so choose layers that have one grid",
+                "layers");
   }
-  const pugi::xml_node node = first == layers.end() ? file.root() : first->node;
+  const pugi::xml_node node = first ? first->node : file.root();
   return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
 }
 
-/// The worlds of all layers that are wanted; or, if tile layers were chosen and some are wanted, of these alone.
-std::set<std::string> wantedWorlds(const std::vector<Layer>& layers, const Options& options) {
-  std::set<std::string> all, ofTiles;
-  for (const Layer& layer : layers) {
-    if (!layer.wanted) continue;
-    const std::string world = layer.path.substr(0, layer.path.find('/'));
-    all.insert(world);
-    if (layer.kind == LayerKind::tiles) ofTiles.insert(world);
-  }
-  return options.layers.empty() || ofTiles.empty() ? all : ofTiles;
-}
-
-/// Several worlds of a project would lie over each other: the one that was chosen is listed alone. Returns it.
+/// Several worlds of a project would lie over each other: the one with all layers that are wanted is listed alone; or,
+/// if tile layers were chosen and some are wanted, with all of these. Returns it.
 pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
   pugi::xml_node root = file.root();
   root.remove_attribute(kWorldAttribute);
   LayerNames names(options);
-  const std::set<std::string> worlds = wantedWorlds(listLayers(file, options, {}, names), options);
-  if (worlds.size() > 1) {
+  std::set<std::string> all, ofTiles;
+  for (const Layer& layer : listLayers(file, options, {}, names)) {
+    if (!layer.wanted) continue;
+    all.insert(layer.path.substr(0, layer.path.find('/')));
+    if (layer.kind == LayerKind::tiles) ofTiles.insert(layer.path.substr(0, layer.path.find('/')));
+  }
+  const std::set<std::string>& worlds = options.layers.empty() || ofTiles.empty() ? all : ofTiles;
+  if (worlds.size() > 1)
     file.fail(root,
               "has several worlds, which lie over each other: choose one of " + listed({worlds.begin(), worlds.end()}),
               "layers");
-  }
   if (worlds.size() != 1) return root;
   setAttribute(root, kWorldAttribute, *worlds.begin());
   return root.find_child_by_attribute("group", "name", worlds.begin()->c_str());
@@ -77,7 +70,7 @@ void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>&
   if (options.blockFrom == BlockFrom::layer) return;
   options.blockFrom = BlockFrom::tileClass;
   for (const auto set : root.children("tileset")) {
-    if (set.attribute(kLdtkDrawnAttribute)) continue;
+    if (set.attribute(kDrawnAttribute)) continue;
     for (const auto tile : set.children("tile")) {
       options.blocks.emplace(tile.attribute("class").value(), tile.attribute("id").as_uint());
     }

@@ -10,16 +10,9 @@
 
 namespace lgs::tiled {
 
-/// A map of a world.
-struct WorldMap {
-  pugi::xml_node node;  ///< what names it: a <map> or <pattern>
-  std::string name;     ///< its file, as the world names it
-  DoublePoint at;       ///< of its upper left corner, pixels, y down
-};
-
-/// Listed maps come first. Then come the patterns in their order, each with the files of the world's folder that fit it
-/// and are no maps yet, sorted by name. What is worth a note goes into `notes`. The first problem goes into the file.
-std::vector<WorldMap> mapsOf(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes);
+/// The maps of a world: those that are listed; then the patterns in their order, each with the files of the folder that
+/// fit it and are no maps yet, by name. What is worth a note goes into `notes`, the first problem into the file.
+std::vector<MapPlace> mapsOf(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes);
 
 /// A map that was read, with its tilesets and templates.
 struct MapSource {
@@ -28,23 +21,16 @@ struct MapSource {
 
   std::unique_ptr<const XmlFile> file;
   MapPlace place;
-  WorldMap entry = {};  ///< of a world, which names it
   Templates templates;
-  Tilesets tilesets;
+  std::vector<Tileset> tilesets;                     ///< by firstGid
   std::map<Template*, Tileset> tilesetsOfTemplates;  ///< those that were needed
 };
 
 /// A map by itself, or those of a world.
 using Maps = std::vector<std::unique_ptr<MapSource>>;
 
-/// How many tiles may still be read, and how many polygons placed.
-struct Limits {
-  explicit Limits(const Options& options) : tiles(options.maxTiles), placements(options.maxPlacements) {}
-  std::size_t tiles, placements;
-};
-
 /// Imports maps, and puts them together. `file` is the world or the map.
 tl::expected<ImportedMap, ImportError> importMaps(const XmlFile& file, const Maps& maps, const Options& options,
-                                                  Budget& budget, Limits& left);
+                                                  Budget& budget);
 
 }  // namespace lgs::tiled

@@ -62,19 +62,16 @@ DoublePoint anchor(const std::string& alignment) {
 /// The tileset of a tile object; null if it has none. A problem is kept by the template.
 const Tileset* tilesetOf(const CollisionObject& object, MapSource& source, const Options& options) {
   Template* const origin = object.gidFrom;
-  if (!origin) return source.tilesets.of(tileNumber(object.gid));
+  if (!origin) return tilesetOf(source.tilesets, tileNumber(object.gid));
   const auto node = origin->file.root().child("tileset");
   const auto [at, isNew] = source.tilesetsOfTemplates.try_emplace(origin);
-  if (isNew && node) {
-    at->second = readTileset(origin->file, node, source.templates);
-    reshape(at->second, options.tiles);
-  }
+  if (isNew && node) at->second = readTileset(origin->file, node, source.templates, options.tiles);
   return node ? &at->second : nullptr;
 }
 
 /// Gives the shapes of a tile object.
-void readTileObject(CollisionObject object, MapSource& source, const Options& options, Budget& budget,
-                    const ShapeSink& sink) {
+void readTileObject(CollisionObject object, MapSource& source, const Properties& ofLayer, const Options& options,
+                    Budget& budget, const ShapeSink& sink) {
   const auto leftOut = [&](std::string reason) {
     leaveOut(object, std::move(reason));
     sink(object, {});
@@ -86,7 +83,7 @@ void readTileObject(CollisionObject object, MapSource& source, const Options& op
   if (!budget.tile(*tileset, number - tileset->firstGid)) return;
   Tile tile = tileset->tile(number - tileset->firstGid);
   if (isLeftOut(tile, options)) tile.objects.clear();
-  squareAsAsked(tile, {}, options);
+  squareAsAsked(tile, ofLayer, options);
   if (tile.objects.empty()) return leftOut("its tile has no collision shapes");
   const DoublePoint size{object.size.x > 0 ? object.size.x : tile.size.x,
                          object.size.y > 0 ? object.size.y : tile.size.y};
@@ -162,10 +159,10 @@ void readObjects(MapSource& source, const Layer& layer, const Options& options, 
   for (const auto node : layer.node.children("object")) {
     CollisionObject object = readObject(*source.file, node, layer.offset, source.templates);
     if (source.file->failed()) return;
-    if (layer.isPicked && !isPicked(options, object.className, object.name, object.properties)) continue;
+    if (layer.isPicked && !isPicked(object, options)) continue;
     object = asAsked(std::move(object), options);
     if (object.kind == Kind::tile) {
-      readTileObject(std::move(object), source, options, budget, sink);
+      readTileObject(std::move(object), source, propertiesOf(layer), options, budget, sink);
       continue;
     }
     sink(object, outlines(object, [](DoublePoint p) { return DoublePoint{p.x, -p.y}; }));

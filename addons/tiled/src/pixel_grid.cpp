@@ -18,19 +18,19 @@ constexpr double kNoise = 1e-6;
 struct Snap {
   std::int64_t value = 0;  // lattice units
   std::int64_t drawn = 0;  // the same without snapping
-  double moved = 0;        // pixels, if it snapped to a grid line
-  double miss = 0;         // pixels to the nearest grid line, if it did not
+  std::int64_t line = 0;   // the nearest grid line
+  double moved = 0;        // pixels, if it snapped to it
+  double miss = 0;         // pixels, if it did not
+  double nearMiss = 0;     // the same, if that is so little more than the tolerance that it is hardly meant
 };
 
 Snap snapOne(double pixels, double tile, double tolerance) {
-  const double line = std::round(pixels / tile);
-  const double miss = std::fabs(pixels - line * tile);
+  const double line = std::round(pixels / tile), miss = std::fabs(pixels - line * tile);
   const std::int64_t drawn = std::llround(pixels / tile * kUnitsPerCell);
-  if (miss <= tolerance + kNoise) return {static_cast<std::int64_t>(line) * kUnitsPerCell, drawn, miss, 0};
-  return {drawn, drawn, 0, miss};
+  const std::int64_t at = static_cast<std::int64_t>(line) * kUnitsPerCell;
+  if (miss <= tolerance + kNoise) return {at, drawn, at, miss};
+  return {drawn, drawn, at, 0, miss, miss <= std::fmin(2 * tolerance, tile / 32) ? miss : 0};
 }
-
-std::int64_t nearestLine(std::int64_t v) { return ((v + kUnitsPerCell / 2) >> kCellBits) * kUnitsPerCell; }
 
 /// Whether a ring is a polygon of the home cell just as it is.
 bool isPolygon(const Polygon& ring) {
@@ -73,19 +73,10 @@ std::vector<LocalPoint> localRing(const Polygon& ring) {
 }
 
 Polygon tidied(Polygon ring) {
-  std::size_t calm = 0;  // vertices in a row that stay
-  std::size_t at = 0;
-  while (ring.size() >= 3 && calm < ring.size()) {
-    const std::size_t n = ring.size();
-    at %= n;
-    if (orientation(ring[(at + n - 1) % n], ring[at], ring[(at + 1) % n]) == 0) {
-      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
-      calm = 0;
-      at += ring.size() - 1;  // its removal can flatten the one before
-    } else {
-      ++calm;
-      ++at;
-    }
+  for (std::size_t k = 0; k < ring.size() && ring.size() >= 3;) {
+    const bool isFlat = orientation(ring[(k == 0 ? ring.size() : k) - 1], ring[k], nextVertex(ring, k)) == 0;
+    if (isFlat) ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(k));
+    k = isFlat ? 0 : k + 1;  // a removal can flatten others
   }
   return ring;
 }
@@ -95,13 +86,6 @@ tl::expected<Snapped, std::string> snap(const std::vector<DoublePoint>& outline,
   Snapped result;
   Polygon drawn;                                 // the ring as it would be without snapping, vertex by vertex
   std::vector<std::pair<Point, double>> misses;  // a corner of the grid, and by how much a vertex misses it
-  const auto isNear = [&](double missX, double missY) {
-    // It is on one line and misses the other by at most twice the tolerance, and by so little that it is hardly meant.
-    const double miss = std::fmax(missX, missY);
-    const double tolerance = missX > 0 ? grid.tolerance.x : grid.tolerance.y;
-    const double tile = missX > 0 ? grid.tile.x : grid.tile.y;
-    return std::fmin(missX, missY) == 0 && miss > 0 && miss <= std::fmin(2 * tolerance, tile / 32);
-  };
   for (const DoublePoint& p : outline) {
     // Huge coordinates can become not-a-number. The comparison is false for it, so that it counts as too far.
     if (!(std::fabs(p.x) <= mostCells * grid.tile.x && std::fabs(p.y) <= mostCells * grid.tile.y))
@@ -113,8 +97,8 @@ tl::expected<Snapped, std::string> snap(const std::vector<DoublePoint>& outline,
     drawn.push_back({x.drawn, y.drawn});
     result.moved += unsigned{x.moved > kNoise} + unsigned{y.moved > kNoise};
     result.furthest = std::max({result.furthest, x.moved, y.moved});
-    if (isNear(x.miss, y.miss))
-      misses.push_back({{nearestLine(x.drawn), nearestLine(y.drawn)}, std::fmax(x.miss, y.miss)});
+    if (std::fmin(x.miss, y.miss) == 0 && x.nearMiss + y.nearMiss > 0)  // it is on one line, and misses the other
+      misses.push_back({{x.line, y.line}, x.nearMiss + y.nearMiss});
   }
   constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
   const Box box = boundingBox(result.ring);

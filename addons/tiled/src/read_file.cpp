@@ -67,8 +67,7 @@ tl::expected<OpenFile, std::string> openRegular(const fs::path& path) {
 
 #endif
 
-/// Reads a regular file. Its path has no symbolic links in it; if it has now, that is an error. It opens nothing that
-/// could block.
+/// Reads a regular file, whose path had no symbolic links in it a moment ago. It opens nothing that could block.
 tl::expected<std::string, std::string> readRegularFile(const fs::path& path) {
   const auto file = openRegular(path);
   if (!file) return tl::unexpected(file.error());
@@ -103,8 +102,7 @@ bool isProject(const fs::path& folder) {
 /// What lies in folders, by its name in lower case. Each is listed once, as a map may name many files that are missing.
 using Listed = std::map<fs::path, std::multimap<std::string, std::string>>;
 
-/// The file below a folder whose path differs from this one by upper and lower case alone, both as they really lie; or
-/// nothing.
+/// The file below a folder whose path, as it really lies, differs from this one by case alone; or nothing.
 std::optional<std::string> otherCase(const fs::path& folder, const fs::path& path, Listed& listed) {
   fs::path found = folder;
   for (const fs::path& step : path.lexically_relative(folder)) {
@@ -153,11 +151,9 @@ tl::expected<std::vector<std::string>, std::string> listFolder(const std::string
 std::string projectFolder(const std::string& map) {
   constexpr int kMostUp = 2;  // of a map that is in no project
   std::error_code failed;
-  fs::path folder = folderOf(map).empty() ? "." : folderOf(map), result = folder;
-  const fs::path first = fs::canonical(folder, failed);
+  fs::path folder = folderOf(map).empty() ? "." : folderOf(map), result = folder, real = fs::canonical(folder, failed);
   const char* const home = std::getenv("HOME");
   const fs::path top = home && *home != '\0' ? fs::weakly_canonical(home, failed) : fs::path();
-  fs::path real = first;
   for (int up = 0; !real.empty(); ++up) {
     if (up <= kMostUp) result = folder;
     if (real == top) break;  // what lies in the home folder itself marks no project

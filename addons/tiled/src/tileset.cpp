@@ -15,8 +15,7 @@ constexpr std::string_view kInsideTiled = ":/";  // begins the names of files th
 
 Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   Tile tile;
-  tile.className = classOf(node);
-  tile.properties = propertiesOf(node);
+  static_cast<Called&>(tile) = {classOf(node), "", propertiesOf(node)};
   if (!tile.className.empty()) tile.properties.emplace("class", tile.className);
   const auto image = node.child("image");
   const auto side = [&](const char* attribute) {
@@ -59,10 +58,10 @@ constexpr std::int64_t kMaxTiles = 1 << 16;  // of a table
 std::vector<std::uint32_t> idsIn(std::string_view text) {
   std::vector<std::uint32_t> ids;
   for (const std::string_view part : split(text, ",")) {
-    const std::size_t dash = part.find('-');
-    const auto from = parseInteger(part.substr(0, dash));
-    const auto to = dash == std::string_view::npos ? from : parseInteger(part.substr(dash + 1));
-    if (!from || !to || *from < 0 || *to > kMaxGid || *to < *from || *to - *from >= kMaxTiles) return {};
+    const auto ends = split(part, "-");
+    const auto from = parseInteger(ends.front()), to = parseInteger(ends.back());
+    if (ends.size() > 2 || !from || !to || *from < 0 || *to > kMaxGid || *to < *from || *to - *from >= kMaxTiles)
+      return {};
     for (std::int64_t id = *from; id <= *to; ++id) ids.push_back(static_cast<std::uint32_t>(id));
   }
   return ids;
@@ -70,11 +69,10 @@ std::vector<std::uint32_t> idsIn(std::string_view text) {
 
 /// A decimal, or a fraction of two.
 std::optional<double> numberIn(std::string_view text) {
-  const std::size_t slash = text.find('/');
-  const auto over = parseReal(text.substr(0, slash));
-  const auto under = slash == std::string_view::npos ? std::optional(1.0) : parseReal(text.substr(slash + 1));
+  const std::vector<std::string_view> parts = split(text, "/");
+  const auto over = parseReal(parts.front()), under = parts.size() == 1 ? std::optional(1.0) : parseReal(parts.back());
   constexpr double kMost = 1e6;
-  if (!over || !under || *under <= 0 || std::abs(*over) > kMost || *under > kMost) return std::nullopt;
+  if (parts.size() > 2 || !over || !under || *under <= 0 || std::abs(*over) > kMost || *under > kMost) return {};
   return *over / *under;
 }
 
@@ -100,29 +98,46 @@ tl::expected<TileShape, std::string> shapeIn(std::string_view text) {
   return shape;
 }
 
+/// Gives each tile that a table names the shape that the table says, instead of its own ones.
+void reshape(Tileset& tileset, const TileTable& table) {
+  for (const std::string& name : {std::string(), tileset.name}) {
+    const auto rows = table.find(name);
+    if (rows == table.end()) continue;
+    for (const auto& [id, shape] : rows->second) {
+      Tile& tile = tileset.tiles.try_emplace(id, tileset.plain).first->second;
+      tile.objects.clear();
+      tile.isSettled = true;
+      if (shape.outline.empty()) continue;
+      CollisionObject& object = tile.objects.emplace_back();
+      object.kind = shape.oneWay ? CollisionObject::Kind::polyline : CollisionObject::Kind::polygon;
+      if (shape.oneWay && tile.className.empty()) object.className = "one-way";
+      for (const DoublePoint p : shape.outline) object.points.push_back({p.x * tile.size.x, (1 - p.y) * tile.size.y});
+    }
+  }
+}
+
 }  // namespace
 
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates) {
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates, const TileTable& table) {
   Tileset tileset;
   tileset.firstGid = static_cast<std::uint32_t>(map.integer(node, "firstgid", std::nullopt, 1, kMaxGid));
   const std::string source = node.attribute("source").value();
   if (source.empty()) {
     readContent(map, node, templates, tileset);
-    return tileset;
+  } else if (!map.failed() && !source.starts_with(kInsideTiled)) {
+    const XmlFile file(map, source, "tileset", map.error());
+    if (std::string what = file.takeReason("tileset"); !what.empty()) {
+      const bool isOfMap = std::string_view(map.root().name()) == "map";
+      if (!isOfMap || !(file.isMissing() || file.isRefused())) map.fail(node, std::move(what));
+      tileset.name = std::filesystem::path(source).stem().string();
+      tileset.missing = std::move(what);
+      const auto side = [&](const char* attribute) { return map.integer(map.root(), attribute, 0, 0, kMaxPixels); };
+      tileset.plain.size = {static_cast<double>(side("tilewidth")), static_cast<double>(side("tileheight"))};
+    } else if (!file.failed()) {
+      readContent(file, file.root(), templates, tileset);
+    }
   }
-  if (map.failed() || source.starts_with(kInsideTiled)) return tileset;
-  const XmlFile file(map, source, "tileset", map.error());
-  if (std::string what = file.takeReason("tileset"); !what.empty()) {
-    const bool isOfMap = std::string_view(map.root().name()) == "map";
-    if (!isOfMap || !(file.isMissing() || file.isRefused())) map.fail(node, std::move(what));
-    tileset.name = std::filesystem::path(source).stem().string();
-    tileset.missing = std::move(what);
-    for (auto [side, attribute] :
-         {std::pair(&tileset.plain.size.x, "tilewidth"), {&tileset.plain.size.y, "tileheight"}})
-      *side = static_cast<double>(map.integer(map.root(), attribute, 0, 0, kMaxPixels));
-    return tileset;
-  }
-  if (!file.failed()) readContent(file, file.root(), templates, tileset);
+  reshape(tileset, table);
   return tileset;
 }
 
@@ -139,29 +154,24 @@ bool squareAsAsked(Tile& tile, const Properties& layer, const Options& options) 
   return true;
 }
 
-void Tilesets::read(const XmlFile& map, Templates& templates, const TileTable& table) {
+std::vector<Tileset> readTilesets(const XmlFile& map, Templates& templates, const TileTable& table) {
+  std::vector<Tileset> tilesets;
   std::map<std::uint32_t, std::string> names;  // by firstGid; as the map has them
   for (const auto node : map.root().children("tileset")) {
-    tilesets_.push_back(readTileset(map, node, templates));
-    if (map.failed()) return;
-    Tileset& last = tilesets_.back();
-    reshape(last, table);
-    const auto [same, isNew] =
-        names.try_emplace(last.firstGid, node.attribute(node.attribute("source") ? "source" : "name").value());
-    if (!isNew) return map.fail(node, "has the same firstgid as the tileset" + map.quoted(" ", same->second));
+    tilesets.push_back(readTileset(map, node, templates, table));
+    if (map.failed()) break;
+    const auto [same, isNew] = names.try_emplace(tilesets.back().firstGid,
+                                                 node.attribute(node.attribute("source") ? "source" : "name").value());
+    if (!isNew) map.fail(node, "has the same firstgid as the tileset" + map.quoted(" ", same->second));
   }
-  std::sort(tilesets_.begin(), tilesets_.end(),
-            [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
+  std::sort(tilesets.begin(), tilesets.end(), [](const auto& a, const auto& b) { return a.firstGid < b.firstGid; });
+  return tilesets;
 }
 
-bool isLeftOut(const Tile& tile, const Options& options) {
-  return isLeftOut(options, tile.className, "", tile.properties);
-}
-
-const Tileset* Tilesets::of(std::uint32_t number) const {
-  const auto next = std::upper_bound(tilesets_.begin(), tilesets_.end(), number,
+const Tileset* tilesetOf(const std::vector<Tileset>& tilesets, std::uint32_t number) {
+  const auto next = std::upper_bound(tilesets.begin(), tilesets.end(), number,
                                      [](std::uint32_t n, const Tileset& t) { return n < t.firstGid; });
-  if (next == tilesets_.begin()) return nullptr;
+  if (next == tilesets.begin()) return nullptr;
   const Tileset& tileset = *(next - 1);
   return tileset.tileCount == 0 || number - tileset.firstGid < tileset.tileCount ? &tileset : nullptr;
 }
@@ -196,23 +206,6 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text) {
   }
   if (!hasHead) return tl::unexpected(std::string("1: ") + kNoHead);
   return table;
-}
-
-void reshape(Tileset& tileset, const TileTable& table) {
-  for (const std::string& name : {std::string(), tileset.name}) {
-    const auto rows = table.find(name);
-    if (rows == table.end()) continue;
-    for (const auto& [id, shape] : rows->second) {
-      Tile& tile = tileset.tiles.try_emplace(id, tileset.plain).first->second;
-      tile.objects.clear();
-      tile.isSettled = true;
-      if (shape.outline.empty()) continue;
-      CollisionObject& object = tile.objects.emplace_back();
-      object.kind = shape.oneWay ? CollisionObject::Kind::polyline : CollisionObject::Kind::polygon;
-      if (shape.oneWay && tile.className.empty()) object.className = "one-way";
-      for (const DoublePoint p : shape.outline) object.points.push_back({p.x * tile.size.x, (1 - p.y) * tile.size.y});
-    }
-  }
 }
 
 }  // namespace lgs::tiled

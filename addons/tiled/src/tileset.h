@@ -8,10 +8,8 @@
 
 namespace lgs::tiled {
 
-struct Tile {
-  std::string className;
-  DoublePoint size;  ///< of its image, pixels
-  Properties properties;
+struct Tile : Called {
+  DoublePoint size;                      ///< of its image, pixels
   std::vector<CollisionObject> objects;  ///< from the Tile Collision Editor
   bool isSettled = false;                ///< Options::tiles says what it is: no rule makes it a full square
 };
@@ -30,31 +28,17 @@ struct Tileset {
   const Tile& tile(std::uint32_t id) const;
 };
 
-/// Gives each tile that a table names the shape that the table says, instead of its own ones.
-void reshape(Tileset& tileset, const TileTable& table);
-
-/// Whether Options::leaveOut has the class of a tile, or a property.
-bool isLeftOut(const Tile& tile, const Options& options);
-
 /// Gives a tile without shapes one that fills its image, if it is to be a full square. `layer` are the properties of its
 /// layer. Returns whether it is.
 bool squareAsAsked(Tile& tile, const Properties& layer, const Options& options);
 
-/// The tilesets of a map.
-class Tilesets {
- public:
-  void read(const XmlFile& map, Templates& templates, const TileTable& table);
-
-  const std::vector<Tileset>& all() const { return tilesets_; }
-
-  /// The one that has a tile, by its number without flags; null if none has.
-  const Tileset* of(std::uint32_t number) const;
-
- private:
-  std::vector<Tileset> tilesets_;  // by firstGid
-};
-
 /// Reads a <tileset> of a map or template, from another file if it names one.
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates);
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, Templates& templates, const TileTable& table);
+
+/// Those of a map, by firstGid.
+std::vector<Tileset> readTilesets(const XmlFile& map, Templates& templates, const TileTable& table);
+
+/// The one that has a tile, by its number without flags; null if none has.
+const Tileset* tilesetOf(const std::vector<Tileset>& tilesets, std::uint32_t number);
 
 }  // namespace lgs::tiled

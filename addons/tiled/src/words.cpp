@@ -4,86 +4,75 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <vector>
 
 namespace lgs::tiled {
 namespace {
 
-/// A longer word stands before a shorter one that is in it, as reports name the first that fits. Those of kLong letters
-/// are known with a letter wrong as well: "Obsticles", "Plataformas".
+/// Lists have blanks between their words. A "*" stands for any end of a word.
+using Words = std::string_view;
+
+/// What is said by words that stand anywhere in another one, "=" before those that are too short for that. A longer word
+/// stands before a shorter one that is in it, as reports name the first that fits. Those of kLong letters are known with
+/// a letter wrong as well: "Obsticles", "Plataformas".
 constexpr std::size_t kLong = 8;
-constexpr auto kCollision = std::to_array<std::string_view>(
-    {"collision", "collider", "collidable", "collides",   "collide", "collid",   "collis",
-     "colid",     "colis",    "kollis",     "hitbox",     "solid",   "blocked",  "blocking",
-     "blocker",   "obstacle", "obstac",     "impassable", "barrier", "boundary", "boundaries"});
-constexpr auto kWalls = std::to_array<std::string_view>({"wall", "border", "fence", "static", "parede", "muro"});
-constexpr auto kFloors = std::to_array<std::string_view>({"ground", "floor", "terrain", "surface", "world", "gnd",
-                                                          "suelo", "boden", "terreno", "geom", "slope", "pendiente"});
-constexpr auto kParts = std::to_array<std::string_view>({"platform", "block", "brick", "pipe", "bloque", "bloco"});
-
-/// Words that are too short to be looked for in others.
-constexpr auto kWholeWalls = std::to_array<std::string_view>({"mur", "murs"});
-constexpr auto kWholeFloors = std::to_array<std::string_view>({"sol", "ramp", "ramps"});
-
-struct Words {
-  Saying are;
-  std::span<const std::string_view> words;
-  bool areWhole = false;
-};
-constexpr auto kWords = std::to_array<Words>({{{Says::collision}, kCollision},
-                                              {{Says::ground, {}, Ground::wall}, kWalls},
-                                              {{Says::ground, {}, Ground::wall}, kWholeWalls, true},
-                                              {{Says::ground, {}, Ground::floor}, kFloors},
-                                              {{Says::ground, {}, Ground::floor}, kWholeFloors, true},
-                                              {{Says::ground, {}, Ground::part}, kParts}});
+constexpr auto kSays = std::to_array<std::pair<Saying, Words>>(
+    {{{Says::collision},
+      "collision collider collidable collides collide collid collis colid colis kollis hitbox solid blocked blocking "
+      "blocker obstacle obstac impassable barrier boundary boundaries"},
+     {{Says::ground, {}, Ground::wall}, "wall border fence static parede muro =mur =murs"},
+     {{Says::ground, {}, Ground::floor},
+      "ground floor terrain surface world gnd suelo boden terreno geom slope pendiente =sol =ramp =ramps"},
+     {{Says::ground, {}, Ground::part}, "platform block brick pipe bloque bloco"}});
 
 /// Words that turn the one after them into its opposite, or that are written together with it.
-constexpr auto kNot = std::to_array<std::string_view>({"anti", "no", "non", "not", "un", "without"});
+constexpr Words kNot = "anti no non not un without";
 
 /// What lets bodies pass; what does not is solid: "non_traversable", "unwalkable".
-constexpr auto kPassed = std::to_array<std::string_view>({"passab", "traversab", "walkab"});
+constexpr Words kPassed = "passab* traversab* walkab*";
 
-/// Words for another use, as they are. They are also looked for before and after a word that is written together.
-constexpr auto kOther = std::to_array<std::string_view>(
-    {"art",    "back",  "background", "behind", "below",      "bg",    "cam", "camera", "con",   "fake",
-     "far",    "fg",    "fire",       "fore",   "foreground", "front", "fx",  "item",   "items", "light",
-     "lights", "mid",   "middle",     "moving", "npc",        "npcs",  "old", "paper",  "pass",  "passable",
-     "path",   "paths", "play",       "player", "sprite",     "sur",   "win", "with"});
+/// Words for another use. They are also looked for before and after a word that is written together.
+constexpr Words kOther =
+    "ambient* art back background behind below bg cam camera check* cloud* coin* collect* con decal* deco* detail* "
+    "door* effect* enem* entit* entr* event* exit* fake far fg finish* fire flag* fond* fore foreground front fx "
+    "goal* hinter* ignor* item items light lights liquid* mid middle moving navig* npc npcs old overlay* paper pass "
+    "passable path paths play player portal* shadow* sky* spawn* sprite start* sur switch* teleport* toxic* visual* "
+    "walkab* warp* water* win with";
 
-/// The same for words that begin so.
-constexpr auto kOtherBegins = std::to_array<std::string_view>({
-    "ambient", "check",  "cloud",  "coin",     "collect", "decal",   "deco",   "detail", "door",
-    "effect",  "enem",   "entit",  "entr",     "event",   "exit",    "finish", "flag",   "fond",
-    "goal",    "hinter", "ignor",  "liquid",   "navig",   "overlay", "portal", "shadow", "sky",
-    "spawn",   "start",  "switch", "teleport", "toxic",   "visual",  "walkab", "warp",   "water",
-});
-
-/// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.
-constexpr auto kSeen = std::to_array<std::string_view>({"back", "bg", "far", "fg", "fore", "front", "over", "sky"});
-constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "background", "behind", "below", "foreground"});
+/// What lies behind or above the layer that one walks in, and is only seen.
+constexpr Words kSeen = "above* back background* behind* below* bg far fg fore foreground* front over sky";
+constexpr Words kForeground = "foreground fg";
 
 /// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
-constexpr auto kPassableBegins =
-    std::to_array<std::string_view>({"damag", "dead", "death", "echel", "escad", "escaler", "hazard", "hurt", "kill",
-                                     "ladder", "leiter", "lethal", "rope", "sensor", "spike", "trigger", "vine"});
-constexpr auto kFluidBegins =
-    std::to_array<std::string_view>({"acid", "empty", "hole", "lava", "pit", "void", "water"});
+constexpr Words kPassable =
+    "damag* dead* death* echel* escad* escaler* hazard* hurt* kill* ladder* leiter* lethal* rope* sensor* spike* "
+    "trigger* vine*";
+constexpr Words kFluid = "acid* empty* hole* lava* pit* void* water*";
 
 /// What a property can be that is about collision, and does not say that there is any.
-constexpr auto kOfProperties = std::to_array<std::string_view>(
-    {"category", "col",  "color",  "colour", "filter", "friction", "group", "height", "id", "index", "mask",
-     "message",  "name", "script", "sound",  "speed",  "type",     "width", "world",  "x",  "y"});
+constexpr Words kOfProperties =
+    "category col color colour filter friction group height id index mask message name script sound speed type width "
+    "world x y";
 
-/// Whether a word begins with one of a list.
-template <class List>
-bool begins(const List& list, std::string_view word) {
-  return std::any_of(list.begin(), list.end(), [&](std::string_view begin) { return word.starts_with(begin); });
+/// The first word of a list that fits; or "".
+template <class Fits>
+std::string_view firstOf(Words list, const Fits& fits) {
+  while (!list.empty()) {
+    const std::string_view word = list.substr(0, list.find(' '));
+    if (fits(word)) return word;
+    list.remove_prefix(std::min(list.size(), word.size() + 1));
+  }
+  return {};
 }
 
-bool isOther(std::string_view word) {
-  return has(kOther, word) || begins(kOtherBegins, word) || begins(kPassableBegins, word) || begins(kFluidBegins, word);
+bool isIn(Words list, std::string_view word) {
+  const std::string_view found = firstOf(list, [&](std::string_view one) {
+    return one.ends_with('*') ? word.starts_with(one.substr(0, one.size() - 1)) : word == one;
+  });
+  return !found.empty();
 }
+
+bool isOther(std::string_view word) { return isIn(kOther, word) || isIn(kPassable, word) || isIn(kFluid, word); }
 
 /// Whether a word begins with another one, but for a letter.
 bool nearlyBegins(std::string_view text, std::string_view word) {
@@ -115,21 +104,26 @@ std::vector<std::string> wordsIn(std::string_view name) {
   return words;
 }
 
+constexpr Saying kImpassable{Says::collision, "not passable"};
+
 /// What one word says, with what is written together with it.
 Saying sayingOf(std::string_view text) {
-  for (const std::string_view no : kNot)
-    if (text.starts_with(no) && begins(kPassed, text.substr(no.size()))) return {Says::collision, "not passable"};
-  const auto fits = [&](std::string_view word, bool isWhole) {
-    const std::size_t at = text.find(word);
-    return isWhole ? text == word
-                   : at != std::string_view::npos && !isOther(text.substr(0, at)) && !has(kNot, text.substr(0, at)) &&
-                         !isOther(text.substr(at + word.size()));
+  const auto isBarred = [&](std::string_view no) {
+    return text.starts_with(no) && isIn(kPassed, text.substr(no.size()));
   };
-  const auto isNear = [&](std::string_view word, bool) { return word.size() >= kLong && nearlyBegins(text, word); };
+  if (!firstOf(kNot, isBarred).empty()) return kImpassable;
+  const auto fits = [&](std::string_view word) {
+    if (word.starts_with('=')) return text == word.substr(1);
+    const std::size_t at = text.find(word);
+    if (at == std::string_view::npos) return false;
+    const std::string_view before = text.substr(0, at), after = text.substr(at + word.size());
+    return !isOther(before) && !isIn(kNot, before) && !isOther(after);
+  };
+  const auto isNear = [&](std::string_view word) { return word.size() >= kLong && nearlyBegins(text, word); };
   const auto find = [](const auto& isIt) {
-    for (const auto& [are, words, areWhole] : kWords)
-      for (const std::string_view word : words)
-        if (isIt(word, areWhole)) return Saying{are.says, word, are.ground};
+    for (const auto& [are, words] : kSays)
+      if (const auto word = firstOf(words, isIt); !word.empty())
+        return Saying{are.says, word.substr(word.starts_with('=') ? 1 : 0), are.ground};
     return Saying{};
   };
   const Saying found = find(fits);
@@ -149,20 +143,29 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
   bool isNot = false;
   for (const std::string& word : words) {
     if (word.empty()) endPart();
-    const bool isBarred = isNot && begins(kPassed, word);
-    const Saying one = isBarred ? Saying{Says::collision, "not passable"} : sayingOf(word);
+    const bool isBarred = isNot && isIn(kPassed, word);
+    const Saying one = isBarred ? kImpassable : sayingOf(word);
     if (one.says > part.says) part = one;
     isOtherPart = isOtherPart || (!isBarred && (isOtherUse(word) || (isNot && one.says != Says::nothing)));
-    isNot = has(kNot, word);
+    isNot = isIn(kNot, word);
   }
   endPart();
   return best;
 }
 
+/// Whether a name says that there is no collision: "NoCollide", "non_collidables".
+bool isOpposite(std::string_view name) {
+  const std::string_view no = firstOf(kNot, [&](std::string_view one) {
+    const auto words = wordsIn(lower(name.substr(0, one.size())) == one ? name.substr(one.size()) : "");
+    return !words.empty() && sayingOf(words.front()).says == Says::collision;
+  });
+  return !no.empty();
+}
+
 }  // namespace
 
 Saying saying(std::string_view name) {
-  const auto isFore = [](std::string_view word) { return isOneOf(word, {"foreground", "fg"}); };
+  const auto isFore = [](std::string_view word) { return isIn(kForeground, word); };
   const std::vector<std::string> words = wordsIn(name);
   const bool isSeen = std::any_of(words.begin(), words.end(), isFore);
   const Saying said =
@@ -171,20 +174,21 @@ Saying saying(std::string_view name) {
 }
 
 Saying sayingOfProperty(std::string_view name) {
-  return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || has(kOfProperties, word); });
+  return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || isIn(kOfProperties, word); });
 }
 
 Uses usesOf(std::string_view name) {
   Uses uses;
   const std::vector<std::string> words = wordsIn(name);
+  uses.isOther = isOpposite(name);
   for (const std::string& word : words) {
     uses.isOther |= isOther(word);
-    uses.isPassable |= begins(kPassableBegins, word);
-    uses.isGoneThrough |= uses.isPassable || begins(kFluidBegins, word) || isOneOf(word, {"background", "bg"});
-    uses.isPassage |= begins(kPassed, word);
-    uses.isMain |= words.size() == 1 && isOneOf(word, {"level", "main", "map", "tile", "tiles"});
-    uses.isForeground |= isOneOf(word, {"foreground", "fg"});
-    uses.isOnlySeen |= has(kSeen, word) || begins(kSeenBegins, word);
+    uses.isPassable |= isIn(kPassable, word);
+    uses.isGoneThrough |= uses.isPassable || isIn(kFluid, word) || isIn("background bg", word);
+    uses.isPassage |= isIn(kPassed, word);
+    uses.isMain |= words.size() == 1 && isIn("level main map tile tiles", word);
+    uses.isForeground |= isIn(kForeground, word);
+    uses.isOnlySeen |= isIn(kSeen, word);
   }
   uses.isPassage = uses.isPassage && saying(name).says == Says::nothing;
   return uses;
@@ -192,12 +196,16 @@ Uses usesOf(std::string_view name) {
 
 Properties propertiesOf(pugi::xml_node node) {
   Properties result;
-  for (const auto property : node.child("properties").children("property")) {
-    const auto value = property.attribute("value");  // a text of several lines stands in the element instead
-    result[property.attribute("name").value()] = value ? value.value() : property.text().get();
+  for (const auto list : node.children("properties")) {
+    for (const auto property : list.children("property")) {
+      const auto value = property.attribute("value");  // a text of several lines stands in the element instead
+      result[property.attribute("name").value()] = value ? value.value() : property.text().get();
+    }
   }
   return result;
 }
+
+Called calledOf(pugi::xml_node node) { return {classOf(node), node.attribute("name").value(), propertiesOf(node)}; }
 
 std::string listed(const std::vector<std::string>& names, std::size_t most) {
   std::string result;
@@ -229,12 +237,7 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
 
 std::string noIn(const std::string& property, const std::string& value) {
   if (property.find('=') != std::string::npos) return "";
-  const bool isOpposite = std::any_of(kNot.begin(), kNot.end(), [&](std::string_view no) {
-    const auto words =
-        lower(property).starts_with(no) ? wordsIn(property.substr(no.size())) : std::vector<std::string>{};
-    return !words.empty() && sayingOf(words.front()).says == Says::collision;
-  });
-  const bool isNo = saysYes(value) ? isOpposite : sayingOfProperty(property).says == Says::collision;
+  const bool isNo = saysYes(value) ? isOpposite(property) : sayingOfProperty(property).says == Says::collision;
   return isNo ? property + "=" + value : "";
 }
 

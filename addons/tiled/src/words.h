@@ -36,10 +36,8 @@ struct Saying {
   bool isPart() const { return ground == Ground::part; }
 };
 
-/// Names are taken apart into words at capitals, digits and signs; "innerwalls" has "wall" in it as well. A long word
-/// may have a letter wrong. A name with a word for another use says nothing: "wall decoration", "kill-collision",
-/// "firewall"; nor does one that says the opposite: "noncollidable". What stands around an "and" is judged by itself.
-/// The ground can be in the foreground; walls there are drawn above the player.
+/// Names are taken apart into words at capitals, digits and signs. What stands around an "and" is judged by itself.
+/// docs/maps.md, "What is taken without options", has the rest.
 Saying saying(std::string_view name);
 
 /// The same for the name of a property, which may be about what is solid without saying that it is: "collidesWith",
@@ -60,8 +58,15 @@ Uses usesOf(std::string_view name);
 
 using Properties = std::map<std::string, std::string>;
 
-/// The custom properties of a map, layer, tile or object.
+/// The custom properties of a map, layer, tile or object; of several with one name the last.
 Properties propertiesOf(pugi::xml_node node);
+
+/// What a tile, shape or object is called, and what else it says of itself.
+struct Called {
+  std::string className = {}, name = {};
+  Properties properties = {};
+};
+Called calledOf(pugi::xml_node node);
 
 /// "1 tile", "2 tiles"
 inline std::string counted(std::uint64_t n, const std::string& what) { return concat(n, " ", what, n == 1 ? "" : "s"); }
@@ -78,7 +83,7 @@ std::string listed(const std::vector<std::string>& names, std::size_t most = 8);
 /// Upper case letters of ASCII become lower case.
 std::string lower(std::string_view text);
 
-/// Whether a value says yes: it is neither "false" nor "0". An empty one says yes, as games ask whether there is one.
+/// Whether a value says yes. An empty one does, as games ask whether there is one.
 bool saysYes(std::string_view value);
 
 /// The name in a rule, "NAME" or "NAME=VALUE".
@@ -91,16 +96,8 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
 /// otherwise "".
 std::string noIn(const std::string& property, const std::string& value);
 
-/// The attribute of an object layer whose objects are things with a name of their own, such as entities of LDtk. Of
-/// them "platform" or "block" says nothing: it may be a thing that moves.
-inline constexpr const char* kThingsAttribute = "lgs:things";
-
-/// The attribute of a group that is a place for layers, such as a level, and no part of their names.
-inline constexpr const char* kPlaceAttribute = "lgs:place";
-
-/// The strongest that is said by the name of an element and its class, and of an object layer by the properties that
-/// say yes; of equals the first. (A property of a tile layer is a rule for its tiles.) If it says nothing, its group may
-/// say it. The reason in words goes into `why`.
+/// The strongest that is said by the name of an element, its class, and of an object layer by the properties that say yes
+/// (that of a tile layer is a rule for its tiles), else by its group. The reason in words goes into `why`.
 Saying sayingOf(pugi::xml_node node, std::string* why = nullptr);
 
 }  // namespace lgs::tiled

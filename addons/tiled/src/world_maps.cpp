@@ -15,7 +15,7 @@ class WorldMaps {
   WorldMaps(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes)
       : file_(file), lister_(lister), notes_(notes) {}
 
-  std::vector<WorldMap> read() {
+  std::vector<MapPlace> read() {
     for (const auto node : file_.root().children("map")) readListed(node);
     const auto patterns = file_.root().children("pattern");
     if (!patterns.empty()) listFolder();
@@ -31,21 +31,23 @@ class WorldMaps {
     const DoublePoint at{file_.real(node, "x"), file_.real(node, "y")};
     if (name.empty()) return file_.fail(node, "has no fileName");
     if (!known_.insert(file_.pathTo(name)).second) return file_.fail(node, name + " is listed twice");
-    maps_.push_back({node, name, at});
+    place(node, name, at);
+  }
+
+  void place(pugi::xml_node node, const std::string& file, DoublePoint at) {
+    maps_.push_back({std::filesystem::path(file).replace_extension().generic_string(), at, file, node});
   }
 
   void listFolder() {
     if (file_.failed()) return;
     const std::string folder = folderOf(file_.name());
-    if (!lister_) {
-      return file_.fail(file_.root().child("pattern"),
+    const pugi::xml_node pattern = file_.root().child("pattern");
+    if (!lister_)
+      return file_.fail(pattern,
                         "takes maps by the names of the files in its folder, and nothing lists them: give importMap() "
                         "a FolderLister, or list the maps of the world as \"maps\"");
-    }
     auto names = lister_(folder.empty() ? "." : folder);
-    if (!names) {
-      return file_.fail(file_.root().child("pattern"), "needs a list of its folder: " + names.error());
-    }
+    if (!names) return file_.fail(pattern, "needs a list of its folder: " + names.error());
     names_ = std::move(*names);
     std::erase_if(names_, [](const std::string& name) { return name.starts_with('.'); });  // Tiled does not see them
     std::sort(names_.begin(), names_.end());
@@ -63,7 +65,7 @@ class WorldMaps {
     noteSamePlaces(before, pattern);
   }
 
-  void add(pugi::xml_node node, const std::string& name, const std::array<std::string, 2>& place) {
+  void add(pugi::xml_node node, const std::string& name, const std::array<std::string, 2>& at) {
     const auto along = [&](const std::string& text, const char* multiplier, const char* offset) {
       constexpr std::int64_t kMin = std::numeric_limits<std::int32_t>::min();
       constexpr std::int64_t kMax = std::numeric_limits<std::int32_t>::max();
@@ -76,17 +78,16 @@ class WorldMaps {
       if (by == 0) file_.fail(node, std::string(multiplier) + " is 0, so all its maps would lie at one place");
       return static_cast<double>((isNumber ? *number : 0) * by + file_.integer(node, offset, 0, kMin, kMax));
     };
-    maps_.push_back(
-        {node, name, {along(place[0], "multiplierX", "offsetX"), along(place[1], "multiplierY", "offsetY")}});
+    place(node, name, {along(at[0], "multiplierX", "offsetX"), along(at[1], "multiplierY", "offsetY")});
   }
 
   /// A copy of a map, such as "1-2.tmx.bak", fits what its map fits, unless the pattern has an end.
   void noteSamePlaces(std::size_t from, const std::string& pattern) {
     std::map<std::pair<double, double>, std::string> at;
     for (std::size_t k = from; k < maps_.size(); ++k) {
-      const auto [first, isNew] = at.try_emplace({maps_[k].at.x, maps_[k].at.y}, maps_[k].name);
+      const auto [first, isNew] = at.try_emplace({maps_[k].offset.x, maps_[k].offset.y}, maps_[k].file);
       if (isNew) continue;
-      notes_.push_back("the pattern " + pattern + " puts " + first->second + " and " + maps_[k].name +
+      notes_.push_back("the pattern " + pattern + " puts " + first->second + " and " + maps_[k].file +
                        " at one place. If one is a copy, end the pattern with $");
     }
   }
@@ -97,12 +98,12 @@ class WorldMaps {
   std::vector<std::string> names_;
   std::uint64_t stepsLeft_ = kMaxPatternSteps;
   std::set<std::string> known_;  // paths
-  std::vector<WorldMap> maps_;
+  std::vector<MapPlace> maps_;
 };
 
 }  // namespace
 
-std::vector<WorldMap> mapsOf(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes) {
+std::vector<MapPlace> mapsOf(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes) {
   return WorldMaps(file, lister, notes).read();
 }
 

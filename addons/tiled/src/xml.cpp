@@ -15,8 +15,6 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 /// What std::from_chars() takes: no blanks around it, and no plus.
 std::string_view bare(std::string_view number) {
   number = trimmed(number);
@@ -35,8 +33,7 @@ std::string describe(pugi::xml_node node, bool mayQuote) {
   return result;
 }
 
-/// Why a file is not read that a map names; or nothing. The map may come from a stranger, so that the name could be of
-/// what is nobody else's business.
+/// Why a file is not read that a map names, which may come from a stranger; or nothing.
 std::string whyNotToRead(std::string named, std::string_view kind) {
   std::replace(named.begin(), named.end(), '\\', '/');
   const std::filesystem::path path(named);
@@ -113,7 +110,7 @@ void XmlFile::parse() {
   const std::string other = foreign(Sign::text, [&](auto sign) { return text_.starts_with(sign); });
   if (!other.empty()) return fail({}, other);
   const std::string_view start =
-      trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
+      trimmed(std::string_view(text_).substr(text_.starts_with("\xEF\xBB\xBF") ? 3 : 0, 256));
   if (start.starts_with('{') || start.starts_with('[')) return readJson(*this, text_, document_);
   const auto result = document_.load_buffer(text_.data(), text_.size());
   if (result.encoding != pugi::encoding_utf8) text_.clear();  // places are those of the UTF-8 that it became

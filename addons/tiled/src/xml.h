@@ -74,10 +74,23 @@ std::string folderOfBoth(const std::string& file, const std::string& other);
 /// How a reason begins why a file is not read: its path, as it is written, leads out of the folder.
 inline constexpr std::string_view kNotInFolder = "it is not in the folder ";
 
+/// Attributes of elements that were made of JSON, which no key of Tiled's has.
+inline constexpr const char* kPathAttribute = "json:path";        ///< the path to what it was made of
+inline constexpr const char* kPlaceAttribute = "lgs:place";       ///< a group, such as a level: no part of names
+inline constexpr const char* kWorldAttribute = "lgs:world";       ///< the root: the one world that is listed
+inline constexpr const char* kThingsAttribute = "lgs:things";     ///< an object layer, of which "platform" says nothing
+inline constexpr const char* kDrawnAttribute = "lgs:drawn";       ///< a layer or tileset whose tiles are only drawn
+inline constexpr const char* kRemarkAttribute = "lgs:remark";     ///< a layer: what the report says of it
+inline constexpr const char* kLdtkAttribute = "ldtk:version";     ///< the root
+inline constexpr const char* kLdtkGridAttribute = "__gridSize";   ///< the root or a layer: the side of a cell, pixels
+inline constexpr const char* kLdtkWidthAttribute = "ldtk:width";  ///< a world, which is the root if it is alone:
+inline constexpr const char* kLdtkHeightAttribute = "ldtk:height";  ///< from its first level to the last one
+inline constexpr const char* kLdtkDepthsAttribute = "ldtk:depths";  ///< a world: levels have several depths
+
 class XmlFile {
  public:
-  /// Reads and parses a map; it may be a world. One that is trusted may name any file, and errors may quote those that
-  /// it names. All files of an import share `error`, which must outlive them, as the reader must.
+  /// Reads and parses a map; it may be a world. If it is trusted, errors may quote the files that it names. All files of
+  /// an import share `error`, which must outlive them, as the reader must.
   XmlFile(std::string name, const FileReader& reader, std::optional<ImportError>& error, bool isTrusted);
 
   /// The same of a file that another one names, whose root element must be `rootName`. Unless files may lie anywhere, it

@@ -61,9 +61,9 @@ std::vector<MapCase> mapCases() {
       {"5: no destructible terrain", plainMap(rows("terrain", ".aa.") + rows("terrain_no_destructible", "..../a..a")),
        4, "terrain_no_destructible"},
       {"6: bricks with pictures", plainMap(drawn("brick_layer", bricks + bricks)), 0,
-       "--solid --objects brick_layer  (1 polygon"},
+       "--solid-if layer=brick_layer --objects brick_layer  (1 polygon"},
       {"6: the same with a layer of tiles", plainMap(rows("sky", "bbbb/bbbb/bbbb") + drawn("brick_layer", bricks)), 0,
-       "--solid --objects brick_layer --not sky  (1 polygon"},
+       "--solid-if layer=brick_layer --objects brick_layer  (1 polygon"},
       {"9: shapes that are deadly",
        plainMap(rows("GroundLayer", "..../aaa.") + rows("Flames", ".b.."),
                 tile(0, "<objectgroup>" + box(0, 0, 1) + "</objectgroup>") +

@@ -156,13 +156,17 @@ TEST(TiledLdtk, OneGridAtATime) {
   const std::string fine = grid("1,0,0,0,0,0", "Fine", 5, "\"__gridSize\":4, ");
   const std::string text = project(level("A", 0, 8, fine + "," + grid("1,0,0,0,0,0")));
   EXPECT_EQ(
-      refusalOf(text),
+      refusalOf(text, {.layers = {"Fine", "Solid"}}),
       "maps/test.tmx: levels/0/layerInstances/0 'Fine' has a grid of 4 px, and A/Solid one of 8 px. One cell of the "
       "grid becomes one cell of the world, so choose layers that have one grid (Options::layers)");
   const auto chosen = mustImportProject(text, {.layers = {"Fine"}});
   EXPECT_EQ(chosen.report.tileWidth, 4);
   EXPECT_EQ(cellsOf(chosen), (Cells{{0, -3}}));
   EXPECT_EQ(cellsOf(mustImportProject(text, {.layers = {"Solid"}})), (Cells{{0, -2}}));
+  const auto map = mustImportProject(text);
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -2}})) << "the one that fills more";
+  EXPECT_EQ(map.report.choice,
+            "IntGrid layers: Solid, without those whose cells are of another size: Fine (--layer Solid)");
 }
 
 TEST(TiledLdtk, LevelsAtDifferentDepthsGetANote) {

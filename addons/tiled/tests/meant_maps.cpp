@@ -213,6 +213,9 @@ std::vector<MeantMap> meantMaps() {
 
       {"a property of tiles that lie behind as well",
        mapOf(has('a', "collides"), tiles("Background", "aaaaaaaa/......../......../........") + tiles("World", U)), U},
+      {"platforms with pictures beside a property",
+       mapOf(has('a', "collides"), tiles("Ground", U) + objects("Platforms", figure(1, 1) + figure(5, 1))),
+       ".a...a../......../aaaaaaaa/aaaaaaaa"},
       {"objects with the property collision",
        mapOf(none, tiles("Tile Layer 1", B) + objects("Object Layer 1", boxes + solidBox("collision", "true"))), U},
       {"objects whose name, as a property, is Solid",
@@ -295,6 +298,8 @@ std::vector<MeantMap> meantMaps() {
       {"one layer alone", mapOf(none, tiles("T1", P)), P},
       {"one layer before a background", mapOf(none, tiles("Background", B) + tiles("Tile Layer 1", G)), G},
       {"one layer called Level", mapOf(none, tiles("Detail 1", D) + tiles("Level", G) + tiles("Bush", D)), G},
+      {"a layer called Level with less in it than the background",
+       mapOf(none, tiles("Background", U) + tiles("Level", P)), P},
       {"one layer, and where the level ends",
        mapOf(none, tiles("wg", P) + objects("FinishLine", box(7, 0, 1, 4)) + objects("Checkpoint", box(1, 0, 1, 4))),
        P},

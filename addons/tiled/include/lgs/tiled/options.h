@@ -34,18 +34,17 @@ using TileTable = std::map<std::string, std::map<std::uint32_t, TileShape>>;
 
 /// What to import, and how. The defaults suit most maps.
 ///
-/// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
-/// evidence that there is in it: docs/maps.md, "What is taken without options". Report::choice says what was taken. The
-/// next best choice is tried as well, so that takes twice as long. `layers` narrows where that is looked for. With any
-/// of the four nothing is chosen: they hold, and so do the shapes of tiles.
+/// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid: docs/maps.md, "What is
+/// taken without options". `layers` narrows where that is looked for, and the next best choice is tried as well, so that
+/// takes twice as long. With any of the four nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
   double tolerance = 1.0;           ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property "class", and a
-  /// layer its path as "layer". Unless `objects` names some, objects that have such a property are taken from any
-  /// object layer. The report names those properties that nothing has, names and values alike.
+  /// one of them, also that of a tile object. "NAME" alone takes any value but "false" and "0". A tile has its class as
+  /// a property "class", and a layer its path as "layer". Unless `objects` names some, objects that have such a property
+  /// are taken from any object layer. The report names properties and values that nothing has.
   std::vector<std::string> solidIf = {};
 
   TileTable tiles = {};  ///< shapes of tiles by their numbers; they replace those in the tileset
@@ -57,20 +56,17 @@ struct Options {
   BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
 
   /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names
-  /// get the least unused numbers from 1 up, in the order in which the import meets them: such numbers may change with
-  /// an edit of the map, and the report warns of them. A game that knows a class gives it a number here, or requests
-  /// it: ImportedMap::block("ice").
+  /// get the least unused numbers from 1 up, as the import meets them: they may change with an edit of the map, and the
+  /// report warns of them. A game gives a class that it knows a number here, or requests it: ImportedMap::block("ice").
   std::map<std::string, Block> blocks = {};
 
-  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups; in worlds and LDtk projects also of
-  /// maps or levels, and paths may begin with them or not. Empty means all tile layers. A name that fits none is an
-  /// error.
+  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups, and of maps of a world or levels, with
+  /// which paths may begin. Empty means all tile layers. A name that fits none is an error.
   std::vector<std::string> layers = {};
 
-  /// Object layers to import: names or paths of layers or groups, or classes or names of objects, which then are taken
-  /// from any layer; an empty list takes none. A name that fits none is an error. Without a list, all are taken whose
-  /// name, class or property says that they are solid. If `layers` has names, they must also be in a group that it
-  /// names.
+  /// Object layers to import: names or paths of layers or groups, or classes or names of objects in any layer; an empty
+  /// list takes none. A name that fits none is an error. Without a list, all are taken whose name, class or property
+  /// says that they are solid, if `layers` has none or has their group.
   std::optional<std::vector<std::string>> objects = {};
 
   bool visibleOnly = false;  ///< hidden layers and objects, and what is in hidden groups, are left out
@@ -79,10 +75,8 @@ struct Options {
   /// pixels below it, or right of it if it is steeper than 45°.
   double polylineThickness = 0;
 
-  /// The folder in which, or below which, the files lie that the map names. Empty: the map's folder; or, if importMap()
-  /// reads from the disk, the project's: projectFolder(). Nothing is read by a name that leads out of it, by an
-  /// absolute one or one without the extension of its kind: a tileset is then as one that is missing, and a map or level
-  /// is an error. So are symbolic links out of it. Errors quote no text of files other than the map's own.
+  /// The folder in which, or below which, the files lie that the map names: docs/maps.md, "Untrusted maps". Empty: the
+  /// map's folder; or, if importMap() reads from the disk, the project's: projectFolder().
   std::string filesIn = {};
 
   /// The map is trusted: the files that it names may lie anywhere that the reader reads, and have any name.
@@ -96,8 +90,7 @@ struct Options {
   std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away
   std::size_t maxBytes = std::size_t{1} << 27;       ///< of all files together; one that is read again counts again
 
-  /// Limits of what is not to be seen from the number of tiles and polygons. Each byte that is read adds to them, so
-  /// what a map costs is in proportion to its size: docs/maps.md, "What a map may cost".
+  /// Each byte that is read adds to these: docs/maps.md, "What a map may cost".
   std::size_t maxObjectCells = std::size_t{1} << 20;  ///< cells of the bounding boxes of all shapes together
   std::size_t maxWork = std::size_t{1} << 28;         ///< steps: of outlines that meet, shape by shape, cell by cell
 };

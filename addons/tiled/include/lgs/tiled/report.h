@@ -107,9 +107,8 @@ struct Report {
   std::vector<Suggestion> suggestions;  ///< what could be taken instead and gives something else, the likeliest first
 };
 
-/// The report for a terminal. The first line has what was taken and why, and what not; the next lines are the
-/// suggestions, each with its arguments after `command`. Then comes what came in, what was left out and what was
-/// changed, tile by tile. Control characters in names become blanks.
+/// The report for a terminal: what was taken and why; the suggestions, each with its arguments after `command`; what came
+/// in, what was left out and what was changed, tile by tile. Control characters in names become blanks.
 std::string toText(const Report& report, const std::string& command = {});
 
 }  // namespace lgs::tiled
