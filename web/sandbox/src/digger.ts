@@ -142,20 +142,30 @@ export class Digger {
     addEventListener('blur', () => this.#release())
     for (const type of ['pointerdown', 'pointermove'] as const)
       this.#view.addEventListener(type, (event) => { if (event.target === this.#canvas) this.#onPointer(event) }, { capture: true })
+    this.#canvas.addEventListener('focus', () => {
+      if (this.#canvas.matches(':focus-visible')) this.#show(...(this.#cursor ??= this.#aim()))
+    })
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
     document.addEventListener('keydown', (event) => {
       if (!this.#section.isConnected || (event.target !== this.#canvas && event.target !== document.body)) return
-      const { clientWidth, clientHeight } = this.#canvas, by = event.shiftKey ? arrows[event.key] : undefined
+      const by = event.shiftKey ? arrows[event.key] : undefined
       if (by === undefined && event.key !== 'Enter' && event.key !== ' ') return
       event.preventDefault()
       event.stopPropagation() // else the arrow walked, too
-      const [x, y] = this.#cursor ?? [clientWidth / 2, clientHeight / 2], step = this.size / 2
+      const [x, y] = this.#cursor ?? this.#aim(), step = this.size / 2
       this.#cursor = by === undefined ? [x, y] : [x + by[0] * step, y + by[1] * step]
       this.#show(...this.#cursor)
       if (by !== undefined) return
       this.#touch('pointerdown', ...this.#cursor)
       this.#touch('pointerup', ...this.#cursor)
     })
+  }
+
+  /** Where the cursor begins: at what holds the crystal that is nearest to the middle. */
+  #aim(): [number, number] {
+    const { clientWidth, clientHeight } = this.#canvas, { picture, size } = this
+    const [x, y] = this.goal!.aim(picture!.at({ offsetX: clientWidth / 2, offsetY: clientHeight / 2 }), clientWidth / size / 2 - 1)
+    return [(x - picture!.x) * size, clientHeight - (y - picture!.y) * size]
   }
 
   #onPointer(event: PointerEvent): void {
@@ -220,7 +230,7 @@ export class Digger {
   #place(isPlacing: boolean): void {
     this.#isPlacing = isPlacing
     this.#section.classList.toggle('places', isPlacing)
-    this.goal!.ask(isPlacing ? 'Tap where the boulder falls.' : null)
+    this.goal!.ask(isPlacing ? 'Tap where the boulder should fall.' : null)
     if (isPlacing) this.#canvas.focus({ preventScroll: true }) // so that keys choose the place
     if (!isPlacing) this.#hand.hidden = this.#cursor === null
     else if (this.#cursor === null) this.#show(this.#canvas.clientWidth / 2, this.#canvas.clientHeight / 2)

@@ -18,7 +18,7 @@ export class Facts {
   reset(): void {
     this.begin()
     for (const id of ['removed', 'added', 'relinked']) element(id).textContent = `0 ${id}`
-    element('times').textContent = 'Dig, and see here what the edit did to the outline.'
+    element('times').textContent = 'Dig to see numbers.'
     element('recompute').textContent = ''
   }
 
@@ -36,8 +36,8 @@ export class Facts {
   /** What a union of all polygons takes, and one of the chunks in which the edit was; null if it was not measured. */
   recomputed(world: number, chunks: number | null): void {
     const inWords = (milliseconds: number) => `${Math.round(milliseconds * 10) / 10} ms`
-    const part = chunks === null ? '' : `, of the chunks touched ${inWords(chunks)}`
-    element('recompute').textContent = `full recompute (polygon-clipping): ${inWords(world)}${part}`
+    const part = chunks === null ? '' : `, only the chunks touched: ${inWords(chunks)}`
+    element('recompute').textContent = `recomputing everything (polygon-clipping): ${inWords(world)}${part}`
   }
 
   // The clock is coarse, so one short time is only a bound; the mean of many is right.

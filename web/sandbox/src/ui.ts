@@ -63,7 +63,7 @@ export class Ui {
       choose('view', state.worlds)
       this.#show(() => {}, state.scene)
       this.#viewer.lookAt(...state.view)
-      if (kept !== null) this.#say('This is the ground of last time. Choose a scene to begin anew.')
+      if (kept !== null) this.#say('Your terrain from last time. Pick a scene to start over.')
     })
     return isOpen
   }
@@ -197,17 +197,17 @@ export class Ui {
       const { document, name, partial } = await openFiles(files)
       this.#show(() => this.#game.open(document), null)
       const { polygons } = document.world.stats()
-      this.#say(`${name}: ${polygons} polygons.${partial ? ` In part: ${partial}.` : ''}`)
+      this.#say(`${name}: ${polygons} polygons.${partial ? ` Not all of it: ${partial}.` : ''}`)
     })
   }
 
   async #share(): Promise<void> {
     await this.#try(async () => {
       const hash = await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene)))
-      if (hash.length > longest) return this.#say('The ground is too large for an address. Copy the trace instead.')
+      if (hash.length > longest) return this.#say('This terrain is too large for a link. Use "Copy trace" instead.')
       history.replaceState(null, '', hash)
       const isCopied = await copied(location.href)
-      this.#say(`The address of this page now holds ground, view and bodies${isCopied ? ', and is copied' : ''}.`)
+      this.#say(`The link in the address bar now has your terrain, view and bodies${isCopied ? ', and is copied' : ''}.`)
     })
   }
 
@@ -215,15 +215,15 @@ export class Ui {
   async #copyTrace(): Promise<void> {
     await this.#try(async () => {
       const text = traceText(this.#game.ground.document)
-      if (await copied(text)) return this.#say('The trace is copied. "lgs replay FILE --check" plays it.')
+      if (await copied(text)) return this.#say('The trace is copied. Replay it with: lgs replay FILE --check')
       download(text, 'ground.trace')
-      this.#say('The trace is in the file ground.trace, since the clipboard is closed to this page.')
+      this.#say('The browser does not let this page copy, so the trace is saved as ground.trace.')
     })
   }
 
   // The time of a full recompute, after an edit. It is not asked for more often than it is answered.
   async #time(): Promise<void> {
-    if (this.#recompute.busy) return
+    if (this.#recompute.busy || !element<HTMLInputElement>('show-more').checked) return
     if (this.#game.ground.world.stats().polygons > mostRecomputed) return
     const { document } = this.#game.ground
     const isStill = () => document === this.#game.ground.document
@@ -240,13 +240,13 @@ export class Ui {
       const { ground } = this.#game
       ground.commit()
       const shown = dump(ground.world)
-      this.#say('The naive reference is asked.')
+      this.#say('The reference implementation is at work.')
       const found = differences(shown, await askReference({ what: 'outline', trace: traceText(ground.document) }))
       this.#viewer.differences = found
       this.#say(
         found.length === 0
-          ? `No mismatch: the ${ground.world.stats().segments} segments, with their ghosts, are those of the naive reference.`
-          : `MISMATCH with the naive reference: ${found.length / 4} segments, drawn thick.`,
+          ? `No mismatch: all ${ground.world.stats().segments} edges and their ghost vertices equal those of the reference.`
+          : `MISMATCH with the reference: ${found.length / 4} edges, drawn thick.`,
       )
     })
   }

@@ -32,7 +32,10 @@ export class Viewer {
     this.#game = game
     this.camera = camera
     this.#pointer = new Pointer(game, camera)
-    this.#panes.forEach((pane, k) => this.#pointer.listen(pane.canvas, k))
+    this.#panes.forEach(({ canvas }, k) => {
+      this.#pointer.listen(canvas, k)
+      canvas.addEventListener('focus', () => canvas.matches(':focus-visible') && this.moveCursor(0, 0)) // so that one sees it
+    })
     new ResizeObserver(([{ contentRect }]) => {
       this.#size = { width: Math.round(contentRect.width), height: Math.round(contentRect.height) }
     }).observe(this.#panes[0].canvas)
@@ -84,9 +87,7 @@ export class Viewer {
   }
 
   useTool(): void {
-    const { at } = this.#pointer.cursor
-    const tool = currentTool()
-    if (at === null) return
+    const at = (this.#pointer.cursor.at ??= [this.camera.x, this.camera.y]), tool = currentTool()
     tool.down(this.#game, ...at, 0)
     tool.up(this.#game)
   }
