@@ -19,7 +19,7 @@ const cut = 500 // that it takes for a stem
 const pause = 1700 // until it asks who looks on to cut the next one
 const stems = [[7, 16.4], [14, 17.4]] // where the hand cuts, and where it asks: x, y in cells
 const isHeld = 350 // milliseconds: then going back runs on
-const tapWalks = 1000 // ms
+const tapWalks = 18 // cells
 const keepsEach = 1000 // milliseconds
 
 interface Kept extends Counts {
@@ -43,7 +43,7 @@ export class Digger {
   #cursor: [number, number] | null = null // of the keyboard, in pixels
   #isPlacing = false // a boulder
   #holding = 0 // a timer
-  #walking = 0
+  #walking = 0 // a frame
 
   get size(): number {
     return this.picture!.size
@@ -193,21 +193,23 @@ export class Digger {
     button.addEventListener('keyup', (event) => { if (isUse(event)) end() })
   }
 
-  /** A tap walks on for as long as it takes to another view; whoever holds the button walks until it is let go. */
+  /** A tap walks to another view; whoever holds the button walks until it is let go. */
   #onWalk(id: string, key: string): void {
-    let begun = -Infinity
+    let from = 0
+    const stop = () => {
+      cancelAnimationFrame(this.#walking)
+      if (Math.abs(this.picture!.x - from) >= tapWalks) say('keyup', key)
+      else this.#walking = requestAnimationFrame(stop)
+    }
     this.#onHold(id, () => {
-      clearTimeout(this.#walking)
-      begun = performance.now()
+      cancelAnimationFrame(this.#walking)
+      from = this.picture!.x
       say('keydown', key)
-    }, () => {
-      clearTimeout(this.#walking)
-      this.#walking = window.setTimeout(() => say('keyup', key), Math.max(0, begun + tapWalks - performance.now()))
-    })
+    }, stop)
   }
 
   #press(): void {
-    clearTimeout(this.#walking)
+    cancelAnimationFrame(this.#walking)
     this.#release()
     this.#deeds!.rewind()
     this.#holding = window.setTimeout(() => say('keydown', 'z'), isHeld)

@@ -117,6 +117,10 @@ export class Goal {
     this.crystals.spend(price, strokes)
   }
 
+  get rings(): readonly (readonly [number, number])[] {
+    return this.#sparks.marks
+  }
+
   #frame(now: number, last: number): void {
     if (!this.#canvas.isConnected) return
     const time = Math.min(0.05, (now - last) / 1000)

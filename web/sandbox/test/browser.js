@@ -44,13 +44,14 @@ export async function openBrowser() {
   }
   const usual = await newPage({})
   return {
-    /** Runs a test on the page, loaded anew. Its clock stands still: sandbox.step() steps it. */
+    /** Runs a test on the page, loaded anew, with all controls open. Its clock stands still: sandbox.step() steps it. */
     async onPage(test, { hash = '#tools', context, query = '' } = {}) {
       const page = context === undefined ? usual : await newPage(context)
       await page.goto('about:blank')
       await page.goto(address + query + hash)
       await page.waitForSelector('[data-ready]')
       await page.evaluate(() => window.sandbox.step?.(0))
+      if (context === undefined) await page.evaluate(() => { document.getElementById('show-more').checked = true })
       await test(page)
       assert.deepEqual(wrong, [])
     },
