@@ -1,5 +1,4 @@
 // The controls of the page that are not of a tool.
-import type { CellRect } from 'localgridseg'
 import { dump } from 'localgridseg/trace'
 import { Facts } from './facts.js'
 import { choose, element, onClick, radios } from './dom.js'
@@ -7,7 +6,6 @@ import { openFiles, openTrace, traceText } from './documents.js'
 import type { Game, View } from './game.js'
 import { forgetGround, keepGround, keptGround } from './keep.js'
 import type { Loop } from './loop.js'
-import { Recompute } from './recompute.js'
 import { askReference, differences } from './reference.js'
 import { sceneOf } from './scenes/all.js'
 import { ScenePanel } from './scenes/panel.js'
@@ -15,8 +13,6 @@ import { copied, download, fromHash, toHash } from './share.js'
 import { capture, restore, type State } from './state.js'
 import type { Viewer } from './viewer.js'
 
-const mostRecomputed = 20_000 // polygons: a full recompute of more takes minutes
-const chunk = 16 // cells along a side
 const readFor = 5000 // milliseconds
 const longest = 60_000 // characters: longer addresses are cut on their way
 
@@ -25,12 +21,10 @@ export class Ui {
   readonly #viewer: Viewer
   readonly #loop: Loop
   readonly #facts = new Facts()
-  readonly #recompute = new Recompute()
   readonly #scenes: ScenePanel
   #scene: string | null = 'hills' // null: not of the menu
   #isKeeping = false // what is done here
   #forget = 0
-  #touched: CellRect | null = null // by the last commit
 
   constructor(game: Game, viewer: Viewer, loop: Loop) {
     this.#game = game
@@ -45,9 +39,6 @@ export class Ui {
     this.#viewer.labels = sceneOf('hills').labels!
     this.#viewer.home = sceneOf('hills')
   }
-
-  /** Nobody's own ground is open: what the page does to it by itself is not kept. */
-  isShowing = false
 
   /** Opens what the address holds, if it holds something; otherwise what was here last time. Whether there was any. */
   async openAddress(): Promise<boolean> {
@@ -79,7 +70,7 @@ export class Ui {
 
   // What was edited is there again after the page was closed.
   async #keep(): Promise<void> {
-    if (this.#isKeeping || this.isShowing || !this.#game.ground.isEdited) return
+    if (this.#isKeeping || !this.#game.ground.isEdited) return
     this.#isKeeping = true
     try {
       keepGround(await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene))))
@@ -101,7 +92,6 @@ export class Ui {
         return
       }
       this.#facts.note(change)
-      this.#touched = change.cells
     }
     ground.onRefusal = (message) => this.#say(message)
     ground.onBegin = () => {
@@ -111,7 +101,6 @@ export class Ui {
     ground.onEnd = () => {
       element<HTMLButtonElement>('undo').disabled = !ground.canUndo
       element<HTMLButtonElement>('redo').disabled = !ground.canRedo
-      void this.#time()
       void this.#keep()
     }
   }
@@ -221,20 +210,6 @@ export class Ui {
     })
   }
 
-  // The time of a full recompute, after an edit. It is not asked for more often than it is answered.
-  async #time(): Promise<void> {
-    if (this.#recompute.busy || !element<HTMLInputElement>('show-more').checked) return
-    if (this.#game.ground.world.stats().polygons > mostRecomputed) return
-    const { document } = this.#game.ground
-    const isStill = () => document === this.#game.ground.document
-    const all = await this.#recompute.run(() => this.#game.ground.world)
-    if (all.error !== null || !isStill()) return
-    this.#facts.recomputed(all.time, null)
-    if (this.#touched === null) return
-    const chunks = await this.#recompute.run(() => this.#game.ground.world, chunksOf(this.#touched))
-    if (chunks.error === null && isStill()) this.#facts.recomputed(all.time, chunks.time)
-  }
-
   async #check(): Promise<void> {
     await this.#try(async () => {
       const { ground } = this.#game
@@ -270,7 +245,6 @@ export class Ui {
     this.#viewer.home = scene === null ? null : sceneOf(scene)
     this.#say('')
     this.#facts.reset()
-    this.#touched = null
     this.#viewer.showSides()
     this.#viewer.layer.reset()
     this.#viewer.differences = new Float64Array()
@@ -293,10 +267,4 @@ export class Ui {
       element('message').textContent = ''
     }, readFor)
   }
-}
-
-// Whole chunks: what an engine that keeps an outline for each must work out anew.
-function chunksOf({ i0, j0, i1, j1 }: CellRect): CellRect {
-  const [low, high] = [(x: number) => Math.floor(x / chunk) * chunk, (x: number) => Math.ceil((x + 1) / chunk) * chunk - 1]
-  return { i0: low(i0), j0: low(j0), i1: high(i1), j1: high(j1) }
 }

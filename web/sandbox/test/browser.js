@@ -32,7 +32,6 @@ export async function openBrowser() {
     await page.addInitScript(() => {
       if (location.protocol !== 'http:') return
       if (!location.search.includes('keep')) localStorage.clear()
-      if (!location.search.includes('welcome')) localStorage.setItem('localgridseg-welcomed', 'yes')
     })
     page.on('console', (message) => wrong.push(message.text()))
     page.on('pageerror', (error) => wrong.push(error.stack))

@@ -8,21 +8,19 @@ let browser
 before(async () => (browser = await openBrowser()))
 after(() => browser.close())
 
-test('who goes on to all tools for the first time sees a rock fall, and where to dig the next one; nothing of it is kept', () =>
-  browser.onPath(
-    async (page) => {
-      await page.locator('#dig-more').click()
-      await page.waitForFunction(() => window.sandbox.game?.rocks.of(window.sandbox.game.sides[0]).length > 0)
-      assert.ok(await page.locator('input[name=tool][value=dig]').isChecked())
-      await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length === 0)
-      assert.equal(await page.evaluate(() => localStorage.getItem('localgridseg-sandbox')), null)
-      await page.mouse.move(500, 200)
-      await page.mouse.down()
-      await page.mouse.up()
-      assert.equal(await page.evaluate(() => localStorage.getItem('localgridseg-welcomed')), 'yes')
-    },
-    '?welcome',
-  ))
+test('all tools show where to dig, until somebody does', () =>
+  browser.onPath(async (page) => {
+    await page.locator('#dig-more').click()
+    await page.waitForFunction(() => window.sandbox.game !== undefined)
+    const asks = () => page.evaluate(() => window.sandbox.viewer.invitation)
+    const [x, y] = await asks(), at = await page.evaluate(([x, y]) => window.sandbox.toPage(x, y), [x, y])
+    await page.mouse.move(at.x - 12, at.y)
+    await page.mouse.down()
+    await page.mouse.move(at.x + 12, at.y, { steps: 4 })
+    await page.mouse.up()
+    await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length === 1)
+    assert.equal(await asks(), null)
+  }, ''))
 
 test('on a phone all targets are 44 pixels wide and high, and nothing is beyond its sides', () =>
   browser.onPage(
@@ -59,7 +57,7 @@ test('the menu says which scene is open', () =>
   }))
 
 /** The page as who comes for the first time has it: a digger. */
-const first = (test, context) => browser.onPath(test, '?welcome', { context })
+const first = (test, context) => browser.onPath(test, '', { context })
 const calm = { reducedMotion: 'reduce' } // no hand digs
 const rocks = (page) => page.evaluate(() => window.sandbox.digger.ground.rocks().length)
 /** Of the ground of a cavern, and all rocks. */
@@ -318,7 +316,7 @@ test('by keys: arrows walk; with Shift they move a cursor, Enter digs, Z undoes'
   }, calm))
 
 test('before any code is there one sees the place of the digger, and not that of all tools', () =>
-  browser.onPath(async (page) => assert.ok(await page.evaluate(() => window.early)), '?welcome', { before: (page) =>
+  browser.onPath(async (page) => assert.ok(await page.evaluate(() => window.early)), '', { before: (page) =>
     page.route('**/main.js', async (route) => {
       await page.waitForSelector('#dig-more')
       await page.evaluate(() => { window.early = document.getElementById('dig').offsetParent !== null && document.getElementById('panes').offsetParent === null })
@@ -349,5 +347,6 @@ test('on a phone: targets of 44 pixels, nothing beyond its sides; and all tools 
     await page.locator('#dig-left').tap() // and a tap is a view, not a step
     await page.waitForFunction((from) => window.sandbox.digger.picture.x < from - 5, from)
     await page.locator('#dig-more').tap()
-    assert.ok(await page.locator('#pane-0').isVisible() && await page.locator('#digger').isHidden())
+    await page.locator('#pane-0').waitFor()
+    assert.ok(await page.locator('#digger').isHidden())
   }, { ...calm, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }))

@@ -53,7 +53,7 @@ const context = { viewport: { width: 1280, height: 800 } }
 try {
   const seen = [], spent = []
   for (let k = 0; k < openings; ++k)
-    await browser.onPath((page) => page.waitForTimeout(200), '?welcome', { context, before: async (page) => {
+    await browser.onPath((page) => page.waitForTimeout(200), '', { context, before: async (page) => {
       const cpu = await clock(page)
       await page.exposeBinding('seen', async (_, now) => {
         seen.push(now)
