@@ -115,9 +115,9 @@ test('a finger drags the ball all the way, and the page does not scroll instead'
 
 test('law 1: a tip cuts the wall, a tile cancels its neighbours\' edges', () =>
   browser.onPath(async (page) => {
-    assert.match(await says(page, 'cuts'), /touches the wall: the wall is 2 segments/)
+    assert.match(await says(page, 'cuts'), /touches the wall: the wall is 2 pieces/)
     await drag(page, 'cuts', 0.5, 0)
-    assert.match(await says(page, 'cuts'), /free: the wall is 1 segment\./)
+    assert.match(await says(page, 'cuts'), /free: the wall is 1 piece\./)
     assert.match(await says(page, 'cancel'), /^3 pairs.* 14 segments left/)
     await drag(page, 'cancel', -2, -1)
     assert.match(await says(page, 'cancel'), /^5 pairs.* 10 segments left/)

@@ -243,7 +243,7 @@ export class Digger {
     const ground = this.ground!, ring = stone.map((v, n) => v + (n % 2 === 0 ? x : y))
     const isFree = [0.4, 1.1].every((part) => stone.every((_, n) =>
       n % 2 === 1 || ground.world.at(x + part * stone[n], y + part * stone[n + 1]).where === 'outside'))
-    if (!isFree || y < 3 || y > high - 3) return this.goal!.say([x, y], 'no room')
+    if (!isFree || y < 3 || y > high - 3) return this.goal!.say([x, y], 'no room here')
     this.#deeds!.begin()
     ground.edit((world) => world.paint({ rings: [ring] }, 6))
     this.goal!.pay(this.#deeds!.strokes)

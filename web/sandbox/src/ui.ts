@@ -215,13 +215,13 @@ export class Ui {
       const { ground } = this.#game
       ground.commit()
       const shown = dump(ground.world)
-      this.#say('The reference implementation is at work.')
+      this.#say('The reference is computing …')
       const found = differences(shown, await askReference({ what: 'outline', trace: traceText(ground.document) }))
       this.#viewer.differences = found
       this.#say(
         found.length === 0
-          ? `No mismatch: all ${ground.world.stats().segments} edges and their ghost vertices equal those of the reference.`
-          : `MISMATCH with the reference: ${found.length / 4} edges, drawn thick.`,
+          ? `No mismatch: all ${ground.world.stats().segments} segments and their ghost vertices equal those of the reference.`
+          : `MISMATCH with the reference: ${found.length / 4} segments, drawn thick.`,
       )
     })
   }

@@ -43,7 +43,7 @@ test('maps of Tiled and LDtk are opened', () =>
       await page.locator('#file').setInputFiles(files.map((name) => maps + name))
       await message(page, new RegExp(`${files[0]}: \\d\\d+ polygons`))
       await page.locator('#check').click()
-      await message(page, /No mismatch: all \d\d+ edges/)
+      await message(page, /No mismatch: all \d\d+ segments/)
     }
     await page.locator('#file').setInputFiles([`${maps}landscape.tmx`])
     await message(page, /landscape\.tsx/)
@@ -171,14 +171,14 @@ test('check finds a difference if there is one', () =>
       }
     })
     await page.locator('#check').click()
-    await message(page, /MISMATCH with the reference: \d+ edges/)
+    await message(page, /MISMATCH with the reference: \d+ segments/)
   }))
 
 test('a trace in the address is checked, and stepped through', () =>
   browser.onPage(
     async (page) => {
       await page.locator('#check').click()
-      await message(page, /No mismatch: all \d edges/)
+      await message(page, /No mismatch: all \d segments/)
       const opened = page.waitForEvent('popup')
       await page.locator('#steps').click()
       const steps = await opened
