@@ -19,7 +19,7 @@ const cut = 500 // that it takes for a stem
 const pause = 1700 // until it asks who looks on to cut the next one
 const stems = [[7, 16.4], [14, 17.4]] // where the hand cuts, and where it asks: x, y in cells
 const isHeld = 350 // milliseconds: then going back runs on
-const tapWalks = 18 // cells
+const tapWalks = 0.8 // of what is seen
 const keepsEach = 1000 // milliseconds
 
 interface Kept extends Counts {
@@ -198,7 +198,7 @@ export class Digger {
     let from = 0
     const stop = () => {
       cancelAnimationFrame(this.#walking)
-      if (Math.abs(this.picture!.x - from) >= tapWalks) say('keyup', key)
+      if (Math.abs(this.picture!.x - from) * this.size >= tapWalks * this.#canvas.clientWidth) say('keyup', key)
       else this.#walking = requestAnimationFrame(stop)
     }
     this.#onHold(id, () => {
