@@ -187,10 +187,12 @@ export class Digger {
 
   #onHold(id: string, begin: () => void, end: () => void): void {
     const button = element(id), isUse = ({ key }: KeyboardEvent) => key === 'Enter' || key === ' '
-    button.addEventListener('pointerdown', begin)
-    for (const type of ['pointerup', 'pointerleave', 'pointercancel', 'blur']) button.addEventListener(type, end)
-    button.addEventListener('keydown', (event) => { if (isUse(event) && !event.repeat) begin() })
-    button.addEventListener('keyup', (event) => { if (isUse(event)) end() })
+    let isDown = false // the focus goes later, when another button may be down
+    const press = () => { isDown = true; begin() }, letGo = () => { if (isDown) end(); isDown = false }
+    button.addEventListener('pointerdown', press)
+    for (const type of ['pointerup', 'pointerleave', 'pointercancel', 'blur']) button.addEventListener(type, letGo)
+    button.addEventListener('keydown', (event) => { if (isUse(event) && !event.repeat) press() })
+    button.addEventListener('keyup', (event) => { if (isUse(event)) letGo() })
   }
 
   /** A tap walks to another view; whoever holds the button walks until it is let go. */
