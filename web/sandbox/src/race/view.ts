@@ -31,9 +31,9 @@ export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number,
   c.fillRect(0, 0, width, height)
   const isWide = width > 1.25 * height
   const right = isWide ? width - Math.min(440, 0.36 * width) - 30 : width
-  const lane = Math.min(height * (isWide ? 0.31 : 0.2), 50 + (2.6 * right) / (finish + 2))
+  const lane = Math.min(height * (isWide ? 0.4 : 0.2), 50 + (2.6 * right) / (finish + 2))
   race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: k * lane, width: right, height: lane }))
-  if (isWide) drawSpeeds(c, race, { x: 0, y: 2 * lane, width: right, height: height - 2 * lane })
+  if (isWide && height - 2 * lane > 130) drawSpeeds(c, race, { x: 0, y: 2 * lane, width: right, height: height - 2 * lane })
   const x = isWide ? right + 16 : 12, y = isWide ? 0 : 2 * lane + 8
   drawCloseUp(c, race, { x, y, width: width - 12 - x, height: Math.min(height - y - 8, 560) }, now)
 }
