@@ -24,12 +24,13 @@ const { metafile } = await build({
   logOverride: { 'ignored-bare-import': 'silent' }, // of the package's own files, which have no side effects
 })
 await copyPage(here('index.html'), here('dist/index.html'))
-// All modules that the page begins with are asked for at once.
+// All that the page begins with is asked for at once: the modules, and the code of WebAssembly.
 const first = new Set(['dist/main.js'])
 for (const file of first)
   for (const { path, kind } of metafile.outputs[file].imports)
-    if (kind === 'import-statement') first.add(path)
+    if (kind === 'import-statement' || file === 'dist/main.js') first.add(path)
 const links = [...first].map((file) => `<link rel="modulepreload" href="${file.slice('dist/'.length)}">`)
+links.push('<link rel="preload" href="lgs-islands.wasm" as="fetch" type="application/wasm" crossorigin>')
 const page = await readFile(here('dist/index.html'), 'utf8')
 await writeFile(here('dist/index.html'), page.replace('</head>', `${links.join('\n')}\n</head>`))
 await copyFile(here('style.css'), here('dist/style.css'))

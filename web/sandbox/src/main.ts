@@ -6,8 +6,7 @@ import { RaceStage } from './race/stage.js'
 import type { Sandbox } from './sandbox.js'
 
 const isOfDigger = () => ['', '#digger', '#race'].includes(location.hash) // index.html says the same
-const module = await (window as { compiling?: Promise<WebAssembly.Module | undefined> }).compiling
-await init(module === undefined ? {} : { module })
+await init()
 const digger = isOfDigger() ? new Digger() : null
 let sandbox: Sandbox | null = null
 async function openSandbox(): Promise<void> {

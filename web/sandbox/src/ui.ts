@@ -85,7 +85,7 @@ export class Ui {
     const { ground } = this.#game
     this.#game.onChange = (change) => {
       this.#viewer.layer.touch(change.cells)
-      this.#viewer.glow.note(change.changes, this.#game.mirror)
+      if (element<HTMLInputElement>('show-more').checked) this.#viewer.glow.note(change.changes, this.#game.mirror) // the key is there, too
       this.#viewer.differences = new Float64Array()
       if (change.what === 'fall') {
         if (!ground.isInStroke) setTimeout(() => void this.#keep()) // otherwise its end does that
