@@ -29,6 +29,7 @@ const tasks = [['Cut crystals loose. A long fall bursts them.', 7], ['Low crysta
 const taskOf = (cavern: number) => tasks[((cavern % tasks.length) + tasks.length) % tasks.length]
 const walkOn = 'All five! Go right to the next cavern, or try with fewer digs.'
 const tooLow = 'That fall was too short. Dig a pit below, or drop a boulder on it.'
+const goldBuys = 'Gold! Three pieces buy a boulder.', canBuy = 'Enough gold: press Boulder.'
 const isHeld = 'Not through yet: cut at the ring.'
 
 export class Goal {
@@ -184,6 +185,7 @@ export class Goal {
   }
 
   #win(at: readonly [number, number], block: number): void {
+    if (block === gold && this.crystals.gold <= price) this.#news = { text: this.crystals.gold < price ? goldBuys : canBuy, left: told }
     this.#sparks.crumbs(at, block === large ? 26 : 10, shine[block], block === large ? 11 : 8, 0.3)
     const cavern = cavernAt(at[0]), nth = this.crystals.count(cavern) - 1
     const to = () => this.#inCells(block === large ? this.#places[nth % this.#places.length] : this.#gold)

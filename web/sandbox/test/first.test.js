@@ -143,6 +143,7 @@ test('a crystal that is cut free breaks and is counted, its shards fly to its pl
     assert.ok(Math.abs((await area(page)) - whole) < 1e-6)
     await cutAt(page, 5, 20.8) // through gold
     await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '1')
+    await lead(page, 'Three pieces buy a boulder')
     await page.keyboard.down('z')
     await page.waitForFunction(() => document.getElementById('dig-gold').textContent === '0')
     await page.keyboard.up('z')
