@@ -1,5 +1,5 @@
-// Drag to dig. What you cut off falls, and is ground again where it rests.
-// A and D, or the arrow keys, walk, the land has no end; Z, or a second finger, goes back in time.
+// Drag to dig. What you cut off falls, and becomes ground again where it comes to rest.
+// A and D, or the arrow keys, walk; the land never ends. Z, or a second finger, rewinds.
 import { World } from 'planck'
 import { GroundPicture } from 'localgridseg/draw'
 import { init, thickLine, unitSquare } from 'localgridseg/islands'

@@ -11,7 +11,7 @@ await rm(here('dist'), { recursive: true, force: true })
 await mkdir(here('dist'))
 const { metafile } = await build({
   absWorkingDir: here('.'),
-  entryPoints: ['src/main.ts', 'src/worker.ts', 'src/import-worker.ts', 'src/reference-worker.ts'],
+  entryPoints: ['src/main.ts', 'src/import-worker.ts', 'src/reference-worker.ts'],
   outdir: 'dist',
   bundle: true,
   format: 'esm',

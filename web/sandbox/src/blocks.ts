@@ -17,14 +17,9 @@ export const CONVEYOR = 104
 export const kinds: readonly Kind[] = [
   { block: GROUND, name: 'Ground', hint: 'Ordinary ground', friction: 0.6 },
   { block: ICE, name: 'Ice', hint: 'No friction', friction: 0 },
-  { block: STICKY, name: 'Sticky', hint: 'Slows down what touches it', friction: 1.5 },
-  {
-    block: ONE_WAY,
-    name: 'One-way',
-    hint: 'Holds what comes from above, lets through what comes from below',
-    friction: 0.6,
-  },
-  { block: CONVEYOR, name: 'Conveyor', hint: 'Carries to the right', friction: 1 },
+  { block: STICKY, name: 'Sticky', hint: 'High friction', friction: 1.5 },
+  { block: ONE_WAY, name: 'One-way', hint: 'Solid from above, open from below', friction: 0.6 },
+  { block: CONVEYOR, name: 'Conveyor', hint: 'Carries bodies to the right', friction: 1 },
 ]
 
 /** Blocks of imported maps are ordinary ground. */

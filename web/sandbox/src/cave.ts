@@ -71,8 +71,8 @@ export class Cave {
     c.lineCap = c.lineJoin = 'round'
     for (const rim of this.#crystals.rims()) c.stroke(rim)
     c.fillStyle = this.#colours[2] // behind the bars
-    c.fillRect(x, -10, wide, 10.1)
-    c.fillRect(x, high - 0.1, wide, 20)
+    c.fillRect(x, -40, wide, 40.1)
+    c.fillRect(x, high - 0.1, wide, 60)
     this.#drawFalls(c, time)
     c.fillStyle = css([255, 240, 190], 0.2 + 0.5 * mood.dark)
     c.beginPath()

@@ -8,7 +8,7 @@ import type { Ground } from 'localgridseg/planck'
 export const shine: Readonly<Record<number, string>> = { 3: '#6df0e0', 5: '#ffd166' }
 export const large = 3 // this block's hang from stems, and glow
 export const gold = 5
-const mushroom = 4
+const mushroom = 4, stone = 6
 const nugget = 0.5 // square cells of gold that are dug for each that is counted
 const least = 0.15 // square cells: less is only a crumb
 const share = 0.3 // of a rock's area: a boulder with a gem in it stays one
@@ -55,7 +55,9 @@ export interface Winnings {
   readonly won: readonly { readonly block: number; readonly cavern: number }[]
   readonly dug: number // square cells of gold, less what was spent
 }
-interface Piece {
+/** A crystal, a mushroom's cap or a boulder, in the ground; or a part of it in a square. */
+export interface Piece {
+  readonly block: number
   readonly middle: Point
   readonly low: Point
 }
@@ -73,7 +75,7 @@ export class Crystals {
   readonly #known = new WeakMap<GroundBody, Known>()
   #won: { readonly block: number; readonly stroke: number; readonly cavern: number }[] = [] // after which stroke it came loose
   #dug: { readonly area: number; readonly stroke: number }[] = [] // of gold
-  #whole: readonly Piece[] = [] // crystals in the ground
+  #pieces: readonly Piece[] = []
 
   /** What the picture draws is seen by this, too. */
   constructor(ground: Ground) {
@@ -83,7 +85,7 @@ export class Crystals {
       const squares = draw()
       for (const { key, fills, lines } of squares) {
         if (lines.length === 0 && fills.length === 0) this.#squares.delete(key)
-        else this.#squares.set(key, { rim: rimOf(lines), pieces: fills.filter(({ block }) => block === large).map(({ vertices }) => ({ middle: middleOf(vertices), low: lowestOf(vertices) })) })
+        else this.#squares.set(key, { rim: rimOf(lines), pieces: fills.filter(({ block }) => block === large || block === mushroom || block === stone).map(({ block, vertices }) => ({ block, middle: middleOf(vertices), low: lowestOf(vertices) })) })
       }
       if (squares.length > 0) this.#cluster()
       return squares
@@ -116,6 +118,15 @@ export class Crystals {
   renew(cavern: number): void {
     const { won, dug } = this.winnings
     this.winnings = { won: won.filter((each) => each.block !== large || each.cavern !== cavern), dug }
+  }
+
+  /** Crystals in the ground. */
+  get #whole(): readonly Piece[] {
+    return this.#pieces.filter(({ block }) => block === large)
+  }
+  /** What can be cut loose so near. */
+  near([x, y]: Point, far: number): readonly Piece[] {
+    return this.#pieces.filter(({ middle: [mx, my] }) => Math.hypot(mx - x, my - y) < far)
   }
 
   /** All edges of the ground that face up. */
@@ -199,7 +210,7 @@ export class Crystals {
       const all = world.polygons(cells).filter(({ block, vertices, i, j }) => block === large && isOf(vertices, i, j))
       world.removeMany(all.map(({ id }) => id))
     })
-    this.#whole = this.#whole.filter((each) => !near.includes(each))
+    this.#pieces = this.#pieces.filter((each) => !near.includes(each))
     for (const [mx] of broken) this.#won.push({ block: large, stroke, cavern: cavernAt(mx) })
     return broken.map((at) => ({ at, area: 6, block: large, speed: 6, what: 'burst' }))
   }
@@ -213,14 +224,14 @@ export class Crystals {
 
   // A crystal has pieces in several cells.
   #cluster(): void {
-    const sums: { x: number; y: number; count: number; low: Point }[] = []
+    const sums: { block: number; x: number; y: number; count: number; low: Point }[] = []
     for (const { pieces } of this.#squares.values())
-      for (const { middle: [x, y], low } of pieces) {
-        const near = sums.find((sum) => Math.hypot(sum.x / sum.count - x, sum.y / sum.count - y) < across)
-        if (near === undefined) sums.push({ x, y, count: 1, low })
+      for (const { block, middle: [x, y], low } of pieces) {
+        const near = sums.find((sum) => sum.block === block && Math.hypot(sum.x / sum.count - x, sum.y / sum.count - y) < across)
+        if (near === undefined) sums.push({ block, x, y, count: 1, low })
         else Object.assign(near, { x: near.x + x, y: near.y + y, count: near.count + 1, low: lower(near.low, low) })
       }
-    this.#whole = sums.map(({ x, y, count, low }) => ({ middle: [x / count, y / count], low }))
+    this.#pieces = sums.map(({ block, x, y, count, low }) => ({ block, middle: [x / count, y / count], low }))
   }
 }
 

@@ -19,7 +19,7 @@ const cut = 500 // that it takes for a stem
 const pause = 1700 // until it asks who looks on to cut the next one
 const stems = [[7, 16.4], [14, 17.4]] // where the hand cuts, and where it asks: x, y in cells
 const isHeld = 350 // milliseconds: then going back runs on
-const tapWalks = 1000 // ms
+const tapWalks = 0.8 // of what is seen
 const keepsEach = 1000 // milliseconds
 
 interface Kept extends Counts {
@@ -43,7 +43,7 @@ export class Digger {
   #cursor: [number, number] | null = null // of the keyboard, in pixels
   #isPlacing = false // a boulder
   #holding = 0 // a timer
-  #walking = 0
+  #walking = 0 // a frame
 
   get size(): number {
     return this.picture!.size
@@ -142,20 +142,30 @@ export class Digger {
     addEventListener('blur', () => this.#release())
     for (const type of ['pointerdown', 'pointermove'] as const)
       this.#view.addEventListener(type, (event) => { if (event.target === this.#canvas) this.#onPointer(event) }, { capture: true })
+    this.#canvas.addEventListener('focus', () => {
+      if (this.#canvas.matches(':focus-visible')) this.#show(...(this.#cursor ??= this.#aim()))
+    })
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }
     document.addEventListener('keydown', (event) => {
       if (!this.#section.isConnected || (event.target !== this.#canvas && event.target !== document.body)) return
-      const { clientWidth, clientHeight } = this.#canvas, by = event.shiftKey ? arrows[event.key] : undefined
+      const by = event.shiftKey ? arrows[event.key] : undefined
       if (by === undefined && event.key !== 'Enter' && event.key !== ' ') return
       event.preventDefault()
       event.stopPropagation() // else the arrow walked, too
-      const [x, y] = this.#cursor ?? [clientWidth / 2, clientHeight / 2], step = this.size / 2
+      const [x, y] = this.#cursor ?? this.#aim(), step = this.size / 2
       this.#cursor = by === undefined ? [x, y] : [x + by[0] * step, y + by[1] * step]
       this.#show(...this.#cursor)
       if (by !== undefined) return
       this.#touch('pointerdown', ...this.#cursor)
       this.#touch('pointerup', ...this.#cursor)
     })
+  }
+
+  /** Where the cursor begins: at what holds the crystal that is nearest to the middle. */
+  #aim(): [number, number] {
+    const { clientWidth, clientHeight } = this.#canvas, { picture, size } = this
+    const [x, y] = this.goal!.aim(picture!.at({ offsetX: clientWidth / 2, offsetY: clientHeight / 2 }), clientWidth / size / 2 - 1)
+    return [(x - picture!.x) * size, clientHeight - (y - picture!.y) * size]
   }
 
   #onPointer(event: PointerEvent): void {
@@ -177,27 +187,31 @@ export class Digger {
 
   #onHold(id: string, begin: () => void, end: () => void): void {
     const button = element(id), isUse = ({ key }: KeyboardEvent) => key === 'Enter' || key === ' '
-    button.addEventListener('pointerdown', begin)
-    for (const type of ['pointerup', 'pointerleave', 'pointercancel', 'blur']) button.addEventListener(type, end)
-    button.addEventListener('keydown', (event) => { if (isUse(event) && !event.repeat) begin() })
-    button.addEventListener('keyup', (event) => { if (isUse(event)) end() })
+    let isDown = false // the focus goes later, when another button may be down
+    const press = () => { isDown = true; begin() }, letGo = () => { if (isDown) end(); isDown = false }
+    button.addEventListener('pointerdown', press)
+    for (const type of ['pointerup', 'pointerleave', 'pointercancel', 'blur']) button.addEventListener(type, letGo)
+    button.addEventListener('keydown', (event) => { if (isUse(event) && !event.repeat) press() })
+    button.addEventListener('keyup', (event) => { if (isUse(event)) letGo() })
   }
 
-  /** A tap walks on for as long as it takes to another view; whoever holds the button walks until it is let go. */
+  /** A tap walks to another view; whoever holds the button walks until it is let go. */
   #onWalk(id: string, key: string): void {
-    let begun = -Infinity
+    let from = 0
+    const stop = () => {
+      cancelAnimationFrame(this.#walking)
+      if (Math.abs(this.picture!.x - from) * this.size >= tapWalks * this.#canvas.clientWidth) say('keyup', key)
+      else this.#walking = requestAnimationFrame(stop)
+    }
     this.#onHold(id, () => {
-      clearTimeout(this.#walking)
-      begun = performance.now()
+      cancelAnimationFrame(this.#walking)
+      from = this.picture!.x
       say('keydown', key)
-    }, () => {
-      clearTimeout(this.#walking)
-      this.#walking = window.setTimeout(() => say('keyup', key), Math.max(0, begun + tapWalks - performance.now()))
-    })
+    }, stop)
   }
 
   #press(): void {
-    clearTimeout(this.#walking)
+    cancelAnimationFrame(this.#walking)
     this.#release()
     this.#deeds!.rewind()
     this.#holding = window.setTimeout(() => say('keydown', 'z'), isHeld)
@@ -220,7 +234,7 @@ export class Digger {
   #place(isPlacing: boolean): void {
     this.#isPlacing = isPlacing
     this.#section.classList.toggle('places', isPlacing)
-    this.goal!.ask(isPlacing ? 'Tap where the boulder falls.' : null)
+    this.goal!.ask(isPlacing ? 'Tap where the boulder should fall.' : null)
     if (isPlacing) this.#canvas.focus({ preventScroll: true }) // so that keys choose the place
     if (!isPlacing) this.#hand.hidden = this.#cursor === null
     else if (this.#cursor === null) this.#show(this.#canvas.clientWidth / 2, this.#canvas.clientHeight / 2)
@@ -231,7 +245,7 @@ export class Digger {
     const ground = this.ground!, ring = stone.map((v, n) => v + (n % 2 === 0 ? x : y))
     const isFree = [0.4, 1.1].every((part) => stone.every((_, n) =>
       n % 2 === 1 || ground.world.at(x + part * stone[n], y + part * stone[n + 1]).where === 'outside'))
-    if (!isFree || y < 3 || y > high - 3) return this.goal!.say([x, y], 'no room')
+    if (!isFree || y < 3 || y > high - 3) return this.goal!.say([x, y], 'no room here')
     this.#deeds!.begin()
     ground.edit((world) => world.paint({ rings: [ring] }, 6))
     this.goal!.pay(this.#deeds!.strokes)

@@ -1,4 +1,4 @@
-// The line below: what the last edit did, how long it took, and how long a full recompute takes.
+// The line below: what the last edit did, and how long it took.
 import { element } from './dom.js'
 import type { GroundChange } from './ground.js'
 
@@ -18,8 +18,7 @@ export class Facts {
   reset(): void {
     this.begin()
     for (const id of ['removed', 'added', 'relinked']) element(id).textContent = `0 ${id}`
-    element('times').textContent = 'Dig, and see here what the edit did to the outline.'
-    element('recompute').textContent = ''
+    element('times').textContent = 'Dig to see numbers.'
   }
 
   note({ changes, what, editTime, commitTime }: GroundChange): void {
@@ -31,13 +30,6 @@ export class Facts {
     element('relinked').textContent = `${changes.relinked.length} relinked`
     const mean = this.#commits > 1 ? `, mean of ${this.#commits}` : ''
     element('times').textContent = `${what}: edit ${this.#time(this.#editTime)}, commit ${this.#time(this.#commitTime)}${mean}`
-  }
-
-  /** What a union of all polygons takes, and one of the chunks in which the edit was; null if it was not measured. */
-  recomputed(world: number, chunks: number | null): void {
-    const inWords = (milliseconds: number) => `${Math.round(milliseconds * 10) / 10} ms`
-    const part = chunks === null ? '' : `, of the chunks touched ${inWords(chunks)}`
-    element('recompute').textContent = `full recompute (polygon-clipping): ${inWords(world)}${part}`
   }
 
   // The clock is coarse, so one short time is only a bound; the mean of many is right.

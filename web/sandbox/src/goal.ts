@@ -6,9 +6,10 @@ import type { CellRect } from 'localgridseg/islands'
 import type { Ground } from 'localgridseg/planck'
 import { colours } from '../../examples/digger.js'
 import { Cave } from './cave.js'
-import { cavernAt, Crystals, gold, type Hit, large, shine, type Winnings } from './crystals.js'
+import { cavernAt, Crystals, gold, type Hit, large, type Piece, shine, type Winnings } from './crystals.js'
 import type { Deeds } from './deeds.js'
 import { element } from './dom.js'
+import { holdOf } from './hold.js'
 import { Sound } from './sound.js'
 import { Sparks } from './sparks.js'
 import { wantsCalm } from './theme.js'
@@ -21,11 +22,15 @@ const feast = 2.5 // seconds, when all places are full
 const day = 2 // as the cave counts light
 const price = 3 // pieces of gold, of a boulder
 const told = 7 // seconds, of what is told once
+const near = 9 // cells: what hangs so near may be cut
+const thinner = 0.1 // cells: so much is cut away
 // Of the caverns in turn: what is told, and with how many digs it is to be done.
-const tasks = [['Cut crystals loose: a long fall bursts them.', 7], ['Boulders burst what lies low.', 9], ['Cut the ropes.', 9]] as const
+const tasks = [['Cut crystals loose. A long fall bursts them.', 7], ['Low crystals: drop boulders on them.', 9], ['Cut the ropes.', 9]] as const
 const taskOf = (cavern: number) => tasks[((cavern % tasks.length) + tasks.length) % tasks.length]
-const walkOn = 'Day! Walk on, or try it with fewer digs.'
-const tooLow = 'Too low to burst. Dig a pit first, or drop a boulder on it.'
+const walkOn = 'All five! Go right to the next cavern, or try with fewer digs.'
+const tooLow = 'That fall was too short. Dig a pit below, or drop a boulder on it.'
+const goldBuys = 'Gold! Three pieces buy a boulder.', canBuy = 'Enough gold: press Boulder.'
+const isHeld = 'Not through yet: cut at the ring.'
 
 export class Goal {
   readonly crystals: Crystals
@@ -40,6 +45,8 @@ export class Goal {
   readonly #places = [...element('dig-places').children] as HTMLElement[]
   readonly #gold = element('dig-gold').nextElementSibling as HTMLElement
   #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
+  #before: readonly (Piece & { readonly width: number })[] = [] // what hung near, when this dig began
+  #marked = 0 // strokes that there were when rings were put
   readonly #boulder = element<HTMLButtonElement>('dig-boulder')
   readonly #score = element('dig-score')
   #seen = '' // of the score, and of gold
@@ -66,6 +73,7 @@ export class Goal {
       canvas.addEventListener(type, (event) => this.#beforeDig(event), { capture: true })
       canvas.addEventListener(type, () => this.#afterDig()) // digger.js has dug meanwhile
     }
+    addEventListener('pointerup', () => this.#endDig())
     const switches = element<HTMLInputElement>('dig-sound')
     switches.addEventListener('change', () => { this.#sound.isOn = switches.checked })
     requestAnimationFrame((now) => this.#frame(now, now - 16))
@@ -98,9 +106,20 @@ export class Goal {
     this.#sparks.say(at, text)
   }
 
+  /** What holds the crystal that is nearest to a place; if none is so near, that place. */
+  aim([x, y]: readonly [number, number], far: number): readonly [number, number] {
+    const off = ({ middle }: Piece) => Math.abs(middle[0] - x)
+    const [next] = this.crystals.near([x, y], far).filter(({ block }) => block === large).sort((a, b) => off(a) - off(b))
+    return next === undefined ? [x, y] : (holdOf(this.#ground.world, next.middle, large).places[0] ?? [x, y])
+  }
+
   /** For a boulder, which was the last of so many strokes. */
   pay(strokes: number): void {
     this.crystals.spend(price, strokes)
+  }
+
+  get rings(): readonly (readonly [number, number])[] {
+    return this.#sparks.marks
   }
 
   #frame(now: number, last: number): void {
@@ -109,6 +128,7 @@ export class Goal {
     const { strokes, goesBack } = this.#deeds
     for (const hit of this.crystals.step(time, strokes, gravity, goesBack)) this.#hit(hit)
     this.#sparks.step(time)
+    if (strokes !== this.#marked) this.#sparks.marks = []
     this.#settle(time)
     this.#lookAround()
     for (const [cavern, arrived] of this.#arrived) {
@@ -135,6 +155,7 @@ export class Goal {
     const [x, y] = this.#picture.at(event), [fx, fy] = event.type === 'pointermove' && this.#dug !== null ? this.#dug.at : [x, y]
     const cells = { i0: Math.floor(Math.min(x, fx) - 1), j0: Math.floor(Math.min(y, fy) - 1), i1: Math.floor(Math.max(x, fx) + 1), j1: Math.floor(Math.max(y, fy) + 1) }
     this.#goTo(cavernAt(x))
+    if (event.type === 'pointerdown') this.#before = this.crystals.near([x, y], near).map((each) => ({ ...each, width: holdOf(this.#ground.world, each.middle, each.block).width }))
     this.#dug = { at: [x, y], cells, gold: this.crystals.goldIn(cells) }
     for (let k = 0; k < 6; ++k) {
       const at = [x + 0.55 * Math.cos(k), y + 0.55 * Math.sin(k)] as const, spot = this.#ground.world.at(...at)
@@ -152,7 +173,19 @@ export class Goal {
     for (let k = count; k < this.crystals.gold; ++k) this.#win(at, gold)
   }
 
+  /** Rings where something still hangs that this dig has only made thinner. */
+  #endDig(): void {
+    const holds = this.#before.map(({ middle, block, width }) => ({ before: width, ...holdOf(this.#ground.world, middle, block) }))
+    this.#before = []
+    const left = holds.filter(({ before, width }) => width > 0 && width < before - thinner)
+    if (left.length === 0) return
+    this.#sparks.marks = left.flatMap(({ places }) => places)
+    this.#marked = this.#deeds.strokes
+    this.#news = { text: isHeld, left: told }
+  }
+
   #win(at: readonly [number, number], block: number): void {
+    if (block === gold && this.crystals.gold <= price) this.#news = { text: this.crystals.gold < price ? goldBuys : canBuy, left: told }
     this.#sparks.crumbs(at, block === large ? 26 : 10, shine[block], block === large ? 11 : 8, 0.3)
     const cavern = cavernAt(at[0]), nth = this.crystals.count(cavern) - 1
     const to = () => this.#inCells(block === large ? this.#places[nth % this.#places.length] : this.#gold)
@@ -192,7 +225,7 @@ export class Goal {
     this.#feast = feast
     const digs = this.#deeds.digsIn(cavern), best = this.#deeds.best.get(cavern) ?? Infinity
     this.#deeds.best.set(cavern, Math.min(best, digs))
-    this.#news = { text: `Daybreak! ${counted(digs)}${digs < best && best < Infinity ? ': your best' : ''}.`, left: feast }
+    this.#news = { text: `Daybreak after ${counted(digs)}${digs < best && best < Infinity ? ': your best' : ''}!`, left: feast }
   }
 
   #inPlace(cavern: number): number {
@@ -261,7 +294,7 @@ export class Goal {
     this.#seen = seen
     this.#score.textContent = score
     this.#gold.className = gold > 0 ? 'full' : ''
-    element('dig-gold').textContent = `${gold}/${price}`
+    element('dig-gold').textContent = String(gold)
     this.#boulder.disabled = gold < price
     element<HTMLButtonElement>('dig-again').disabled = digs === 0 && arrived === 0
     element('dig-goal').ariaLabel = `${arrived} crystal${arrived === 1 ? '' : 's'}, ${score}, ${gold} gold`

@@ -1,8 +1,6 @@
-// What the browser keeps of a visit: the digger, the ground of all tools, and that one has dug there. It may keep nothing,
-// and say so by throwing.
+// What the browser keeps of a visit: the digger, and the ground of all tools. It may keep nothing, and say so by throwing.
 const digger = 'localgridseg-digger-1'
 const ground = 'localgridseg-sandbox'
-const welcomed = 'localgridseg-welcomed'
 const most = 1_000_000 // characters
 
 function held(name: string): string | null {
@@ -27,6 +25,3 @@ export const forgetGround = () => hold(ground, null)
 export const keepGround = (text: string) => hold(ground, text.length < most ? text : null)
 export const keptDigger = () => held(digger)
 export const keepDigger = (text: string) => hold(digger, text.length < most ? text : null)
-/** Whether somebody was at all tools before. */
-export const isKnown = () => held(welcomed) !== null || keptGround() !== null
-export const noteWelcome = () => hold(welcomed, 'yes')

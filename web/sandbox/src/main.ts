@@ -2,7 +2,6 @@
 // digger's first frame is early.
 import { init } from 'localgridseg/islands'
 import { Digger } from './digger.js'
-import { isKnown } from './keep.js'
 import { RaceStage } from './race/stage.js'
 import type { Sandbox } from './sandbox.js'
 
@@ -11,7 +10,7 @@ await init()
 const digger = isOfDigger() ? new Digger() : null
 let sandbox: Sandbox | null = null
 async function openSandbox(): Promise<void> {
-  sandbox = await (await import('./sandbox.js')).openSandbox(!isKnown())
+  sandbox = await (await import('./sandbox.js')).openSandbox()
   Object.assign(window, { sandbox: { ...sandbox.handles, race, digger } })
 }
 /** From the digger; keys go to the ground then. */

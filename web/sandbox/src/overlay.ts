@@ -6,7 +6,7 @@ import { theme } from './theme.js'
 const detailed = 16 // pixels per cell from which on normals, ghosts and links are drawn
 
 /** The context's unit is a cell, y up. */
-export function drawOverlay(c: CanvasRenderingContext2D, world: World, cells: CellRect, pixel: number): void {
+export function drawOverlay(c: CanvasRenderingContext2D, world: World, cells: CellRect, pixel: number, hasGhosts: boolean): void {
   const { geometry, length } = world.segments(cells)
   const colours = theme()
   c.strokeStyle = colours.relinked
@@ -19,14 +19,14 @@ export function drawOverlay(c: CanvasRenderingContext2D, world: World, cells: Ce
   }
   c.stroke()
   if (pixel > 1 / detailed) return
-  for (let k = 0; k < 8 * length; k += 8) drawDetails(c, geometry.subarray(k, k + 8), pixel, colours.added, colours.ink)
+  for (let k = 0; k < 8 * length; k += 8) drawDetails(c, geometry.subarray(k, k + 8), pixel, hasGhosts ? colours.added : null, colours.ink)
 }
 
 function drawDetails(
   c: CanvasRenderingContext2D,
   g: ArrayLike<number>,
   pixel: number,
-  ghostColour: string,
+  ghostColour: string | null,
   ink: string,
 ): void {
   const [dx, dy] = [g[2] - g[0], g[3] - g[1]]
@@ -45,6 +45,7 @@ function drawDetails(
   c.lineTo(mx, my)
   c.lineTo(mx - (ux - uy * 0.7) * 4 * pixel, my - (uy + ux * 0.7) * 4 * pixel)
   c.stroke()
+  if (ghostColour === null) return
   // A whisker towards each ghost, along the neighbour: it lies a little outside.
   c.strokeStyle = ghostColour
   c.lineWidth = 1.4 * pixel

@@ -20,7 +20,7 @@ export function setUpPalette(onTool: () => void): void {
   })
   kinds.forEach((kind, k) => addKind(kind.block, kind.name, `${kind.hint} (${k + 1})`))
   tiles.forEach((tile, k) => addTile(k, tile.name))
-  addTile(-1, 'Nothing: empties the cell')
+  addTile(-1, 'Eraser: empties the cell')
   onClick('turn', turn)
   showGroups()
 }

@@ -65,7 +65,7 @@ export class Pane {
     const pixel = 1 / camera.scale
     c.setTransform(unit, 0, 0, -unit, this.canvas.width / 2 - camera.x * unit, this.canvas.height / 2 + camera.y * unit)
     c.lineJoin = 'round'
-    if (scenery.overlay) drawOverlay(c, game.ground.world, this.#cells(camera, width, height), pixel)
+    if (scenery.overlay) drawOverlay(c, game.ground.world, this.#cells(camera, width, height), pixel, side.ghosts)
     scenery.glow.draw(c, pixel)
     c.save()
     c.scale(1 / cell, 1 / cell) // bodies are in metres

@@ -5,11 +5,11 @@ import { listenToKeys } from './keys.js'
 import { Loop } from './loop.js'
 import { measure, type Place, prepare } from './measure.js'
 import { recolour, setUpPalette } from './palette.js'
+import { neckOf, rocks } from './scenes/landscape.js'
 import { onThemeChange } from './theme.js'
 import { polygonTool } from './tools/all.js'
 import { Ui } from './ui.js'
 import { Viewer } from './viewer.js'
-import { Welcome } from './welcome.js'
 
 export interface Sandbox {
   pause(): void
@@ -18,14 +18,13 @@ export interface Sandbox {
   readonly handles: object
 }
 
-/** Opens what the address holds, or what was here last time. If there is none, and `isNew`, it shows how one digs. */
-export async function openSandbox(isNew: boolean): Promise<Sandbox> {
+/** Opens what the address holds, or what was here last time. If there is none, it shows where to dig until somebody does something. */
+export async function openSandbox(): Promise<Sandbox> {
   const game = new Game()
   const camera = new Camera()
   const viewer = new Viewer(game, camera)
   const loop = new Loop(() => game.step(), () => viewer.draw())
   const ui = new Ui(game, viewer, loop)
-  let welcome: Welcome | null = null
 
   setUpPalette(() => polygonTool.cancel())
   onThemeChange(() => {
@@ -41,9 +40,9 @@ export async function openSandbox(isNew: boolean): Promise<Sandbox> {
     zoom: (factor) => viewer.zoom(factor),
   })
   viewer.showHome()
-  if (!(await ui.openAddress()) && isNew) {
-    ui.isShowing = true
-    welcome = new Welcome(game, viewer, () => (ui.isShowing = false))
+  if (!(await ui.openAddress())) {
+    viewer.invitation = neckOf(rocks[1])
+    for (const event of ['pointerdown', 'keydown', 'wheel', 'hashchange']) addEventListener(event, () => (viewer.invitation = null), { once: true, capture: true })
   }
   loop.start()
   return {
@@ -51,8 +50,9 @@ export async function openSandbox(isNew: boolean): Promise<Sandbox> {
     goOn: () => (loop.running = true),
     handles: {
       game,
+      viewer,
       step(count = 1): void {
-        welcome?.end()
+        viewer.invitation = null
         loop.playing = false
         for (let k = 0; k < count; ++k) game.step()
       },

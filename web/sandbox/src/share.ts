@@ -29,7 +29,7 @@ export async function fromHash(hash: string): Promise<Held | null> {
     try {
       return { kind, text: new TextDecoder().decode(await unpack(hash.slice(prefix.length))) }
     } catch {
-      throw new Error('This link is damaged: a part of it is missing or was changed on its way.')
+      throw new Error('This link is damaged: a part of it is missing or was changed.')
     }
   }
   return null

@@ -40,6 +40,9 @@ export class Sparks {
   readonly #sparks: Spark[] = []
   #flights: Flight[] = []
   #words: Word[] = []
+  #time = 0
+  /** Where rings are. */
+  marks: readonly Point[] = []
 
   /** Crumbs to all sides, and a little up. */
   crumbs([x, y]: Point, count: number, colour: string, speed: number, size = 0.22): void {
@@ -71,6 +74,7 @@ export class Sparks {
   }
 
   step(time: number): void {
+    this.#time += time
     for (const each of this.#words) each.age += time
     this.#words = this.#words.filter(({ age }) => age < wordLife)
     for (const each of this.#sparks) {
@@ -100,6 +104,14 @@ export class Sparks {
       c.fill()
     }
     for (const flight of this.#flights) this.#drawFlight(c, flight)
+    c.globalAlpha = 1
+    c.strokeStyle = '#ffd166'
+    c.lineWidth = 0.22
+    for (const [x, y] of this.marks) {
+      c.beginPath()
+      c.arc(x, y, 0.95 + 0.15 * Math.sin(6 * this.#time), 0, 2 * Math.PI)
+      c.stroke()
+    }
     for (const word of this.#words) this.#drawWord(c, word)
     c.globalAlpha = 1
   }

@@ -22,7 +22,7 @@ export function capture(game: Game, camera: Camera, scene: string | null): State
   const { ground } = game
   ground.commit()
   const isOwn = scene === null || ground.isEdited
-  if (isOwn && ground.world.stats().polygons > largest) throw new Error('The ground is too large for an address. Copy the trace instead.')
+  if (isOwn && ground.world.stats().polygons > largest) throw new Error('This terrain is too large for a link. Use "Copy trace" instead.')
   return {
     scene: isOwn ? null : scene,
     trace: isOwn ? traceText(ground.document) : null,

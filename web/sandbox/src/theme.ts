@@ -13,6 +13,7 @@ export interface Theme {
   readonly line: string
   readonly riders: readonly string[]
   readonly ink: string
+  readonly close: string // around the close-up
   readonly kick: string
   readonly added: string
   readonly removed: string
@@ -31,6 +32,7 @@ const light: Theme = {
   line: '#3a2a22',
   riders,
   ink: '#2a2338',
+  close: '#d8c6a4',
   kick: '#d55e00',
   added: '#009e73',
   removed: '#d55e00',
@@ -47,6 +49,7 @@ const dark: Theme = {
   line: '#1a1430',
   riders: ['#3f9fdc', '#e69f00', '#1fb58b', '#d68fb5', '#7cc8f2'],
   ink: '#efeaf6',
+  close: '#4b4470',
   kick: '#ff8432',
   added: '#2fcf9f',
   removed: '#ff8432',

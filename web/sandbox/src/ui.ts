@@ -1,5 +1,4 @@
 // The controls of the page that are not of a tool.
-import type { CellRect } from 'localgridseg'
 import { dump } from 'localgridseg/trace'
 import { Facts } from './facts.js'
 import { choose, element, onClick, radios } from './dom.js'
@@ -7,7 +6,6 @@ import { openFiles, openTrace, traceText } from './documents.js'
 import type { Game, View } from './game.js'
 import { forgetGround, keepGround, keptGround } from './keep.js'
 import type { Loop } from './loop.js'
-import { Recompute } from './recompute.js'
 import { askReference, differences } from './reference.js'
 import { sceneOf } from './scenes/all.js'
 import { ScenePanel } from './scenes/panel.js'
@@ -15,8 +13,6 @@ import { copied, download, fromHash, toHash } from './share.js'
 import { capture, restore, type State } from './state.js'
 import type { Viewer } from './viewer.js'
 
-const mostRecomputed = 20_000 // polygons: a full recompute of more takes minutes
-const chunk = 16 // cells along a side
 const readFor = 5000 // milliseconds
 const longest = 60_000 // characters: longer addresses are cut on their way
 
@@ -25,12 +21,10 @@ export class Ui {
   readonly #viewer: Viewer
   readonly #loop: Loop
   readonly #facts = new Facts()
-  readonly #recompute = new Recompute()
   readonly #scenes: ScenePanel
   #scene: string | null = 'hills' // null: not of the menu
   #isKeeping = false // what is done here
   #forget = 0
-  #touched: CellRect | null = null // by the last commit
 
   constructor(game: Game, viewer: Viewer, loop: Loop) {
     this.#game = game
@@ -46,9 +40,6 @@ export class Ui {
     this.#viewer.home = sceneOf('hills')
   }
 
-  /** Nobody's own ground is open: what the page does to it by itself is not kept. */
-  isShowing = false
-
   /** Opens what the address holds, if it holds something; otherwise what was here last time. Whether there was any. */
   async openAddress(): Promise<boolean> {
     const kept = location.hash === '#tools' ? keptGround() : null
@@ -63,7 +54,7 @@ export class Ui {
       choose('view', state.worlds)
       this.#show(() => {}, state.scene)
       this.#viewer.lookAt(...state.view)
-      if (kept !== null) this.#say('This is the ground of last time. Choose a scene to begin anew.')
+      if (kept !== null) this.#say('Your terrain from last time. Pick a scene to start over.')
     })
     return isOpen
   }
@@ -79,7 +70,7 @@ export class Ui {
 
   // What was edited is there again after the page was closed.
   async #keep(): Promise<void> {
-    if (this.#isKeeping || this.isShowing || !this.#game.ground.isEdited) return
+    if (this.#isKeeping || !this.#game.ground.isEdited) return
     this.#isKeeping = true
     try {
       keepGround(await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene))))
@@ -94,14 +85,13 @@ export class Ui {
     const { ground } = this.#game
     this.#game.onChange = (change) => {
       this.#viewer.layer.touch(change.cells)
-      this.#viewer.glow.note(change.changes, this.#game.mirror)
+      if (element<HTMLInputElement>('show-more').checked) this.#viewer.glow.note(change.changes, this.#game.mirror) // the key is there, too
       this.#viewer.differences = new Float64Array()
       if (change.what === 'fall') {
         if (!ground.isInStroke) setTimeout(() => void this.#keep()) // otherwise its end does that
         return
       }
       this.#facts.note(change)
-      this.#touched = change.cells
     }
     ground.onRefusal = (message) => this.#say(message)
     ground.onBegin = () => {
@@ -111,7 +101,6 @@ export class Ui {
     ground.onEnd = () => {
       element<HTMLButtonElement>('undo').disabled = !ground.canUndo
       element<HTMLButtonElement>('redo').disabled = !ground.canRedo
-      void this.#time()
       void this.#keep()
     }
   }
@@ -197,17 +186,17 @@ export class Ui {
       const { document, name, partial } = await openFiles(files)
       this.#show(() => this.#game.open(document), null)
       const { polygons } = document.world.stats()
-      this.#say(`${name}: ${polygons} polygons.${partial ? ` In part: ${partial}.` : ''}`)
+      this.#say(`${name}: ${polygons} polygons.${partial ? ` Not all of it: ${partial}.` : ''}`)
     })
   }
 
   async #share(): Promise<void> {
     await this.#try(async () => {
       const hash = await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene)))
-      if (hash.length > longest) return this.#say('The ground is too large for an address. Copy the trace instead.')
+      if (hash.length > longest) return this.#say('This terrain is too large for a link. Use "Copy trace" instead.')
       history.replaceState(null, '', hash)
       const isCopied = await copied(location.href)
-      this.#say(`The address of this page now holds ground, view and bodies${isCopied ? ', and is copied' : ''}.`)
+      this.#say(`The link in the address bar now has your terrain, view and bodies${isCopied ? ', and is copied' : ''}.`)
     })
   }
 
@@ -215,24 +204,10 @@ export class Ui {
   async #copyTrace(): Promise<void> {
     await this.#try(async () => {
       const text = traceText(this.#game.ground.document)
-      if (await copied(text)) return this.#say('The trace is copied. "lgs replay FILE --check" plays it.')
+      if (await copied(text)) return this.#say('The trace is copied. Replay it with: lgs replay FILE --check')
       download(text, 'ground.trace')
-      this.#say('The trace is in the file ground.trace, since the clipboard is closed to this page.')
+      this.#say('The browser does not let this page copy, so the trace is saved as ground.trace.')
     })
-  }
-
-  // The time of a full recompute, after an edit. It is not asked for more often than it is answered.
-  async #time(): Promise<void> {
-    if (this.#recompute.busy) return
-    if (this.#game.ground.world.stats().polygons > mostRecomputed) return
-    const { document } = this.#game.ground
-    const isStill = () => document === this.#game.ground.document
-    const all = await this.#recompute.run(() => this.#game.ground.world)
-    if (all.error !== null || !isStill()) return
-    this.#facts.recomputed(all.time, null)
-    if (this.#touched === null) return
-    const chunks = await this.#recompute.run(() => this.#game.ground.world, chunksOf(this.#touched))
-    if (chunks.error === null && isStill()) this.#facts.recomputed(all.time, chunks.time)
   }
 
   async #check(): Promise<void> {
@@ -240,13 +215,13 @@ export class Ui {
       const { ground } = this.#game
       ground.commit()
       const shown = dump(ground.world)
-      this.#say('The naive reference is asked.')
+      this.#say('The reference is computing …')
       const found = differences(shown, await askReference({ what: 'outline', trace: traceText(ground.document) }))
       this.#viewer.differences = found
       this.#say(
         found.length === 0
-          ? `No mismatch: the ${ground.world.stats().segments} segments, with their ghosts, are those of the naive reference.`
-          : `MISMATCH with the naive reference: ${found.length / 4} segments, drawn thick.`,
+          ? `No mismatch: all ${ground.world.stats().segments} segments and their ghost vertices equal those of the reference.`
+          : `MISMATCH with the reference: ${found.length / 4} segments, drawn thick.`,
       )
     })
   }
@@ -270,7 +245,6 @@ export class Ui {
     this.#viewer.home = scene === null ? null : sceneOf(scene)
     this.#say('')
     this.#facts.reset()
-    this.#touched = null
     this.#viewer.showSides()
     this.#viewer.layer.reset()
     this.#viewer.differences = new Float64Array()
@@ -293,10 +267,4 @@ export class Ui {
       element('message').textContent = ''
     }, readFor)
   }
-}
-
-// Whole chunks: what an engine that keeps an outline for each must work out anew.
-function chunksOf({ i0, j0, i1, j1 }: CellRect): CellRect {
-  const [low, high] = [(x: number) => Math.floor(x / chunk) * chunk, (x: number) => Math.ceil((x + 1) / chunk) * chunk - 1]
-  return { i0: low(i0), j0: low(j0), i1: high(i1), j1: high(j1) }
 }

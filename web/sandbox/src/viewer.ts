@@ -32,7 +32,10 @@ export class Viewer {
     this.#game = game
     this.camera = camera
     this.#pointer = new Pointer(game, camera)
-    this.#panes.forEach((pane, k) => this.#pointer.listen(pane.canvas, k))
+    this.#panes.forEach(({ canvas }, k) => {
+      this.#pointer.listen(canvas, k)
+      canvas.addEventListener('focus', () => canvas.matches(':focus-visible') && this.moveCursor(0, 0)) // so that one sees it
+    })
     new ResizeObserver(([{ contentRect }]) => {
       this.#size = { width: Math.round(contentRect.width), height: Math.round(contentRect.height) }
     }).observe(this.#panes[0].canvas)
@@ -77,17 +80,16 @@ export class Viewer {
     this.camera.pan((-dx * this.#size.width) / 10, (dy * this.#size.height) / 10)
   }
 
-  /** The cursor of the keyboard begins in the middle of the view. */
+  /** The cursor of the keyboard begins where somebody is asked to dig, or in the middle of the view. */
   moveCursor(dx: number, dy: number): void {
-    const [x, y] = this.#pointer.cursor.at ?? [this.camera.x, this.camera.y]
+    const [x, y] = this.#pointer.cursor.at ?? this.invitation ?? [this.camera.x, this.camera.y]
     this.#pointer.cursor.at = [x + dx / 2, y + dy / 2]
   }
 
   useTool(): void {
-    const { at } = this.#pointer.cursor
+    if (this.#pointer.cursor.at === null) this.moveCursor(0, 0)
     const tool = currentTool()
-    if (at === null) return
-    tool.down(this.#game, ...at, 0)
+    tool.down(this.#game, ...this.#pointer.cursor.at!, 0)
     tool.up(this.#game)
   }
 

@@ -32,7 +32,6 @@ export async function openBrowser() {
     await page.addInitScript(() => {
       if (location.protocol !== 'http:') return
       if (!location.search.includes('keep')) localStorage.clear()
-      if (!location.search.includes('welcome')) localStorage.setItem('localgridseg-welcomed', 'yes')
     })
     page.on('console', (message) => wrong.push(message.text()))
     page.on('pageerror', (error) => wrong.push(error.stack))
@@ -44,13 +43,14 @@ export async function openBrowser() {
   }
   const usual = await newPage({})
   return {
-    /** Runs a test on the page, loaded anew. Its clock stands still: sandbox.step() steps it. */
+    /** Runs a test on the page, loaded anew, with all controls open. Its clock stands still: sandbox.step() steps it. */
     async onPage(test, { hash = '#tools', context, query = '' } = {}) {
       const page = context === undefined ? usual : await newPage(context)
       await page.goto('about:blank')
       await page.goto(address + query + hash)
       await page.waitForSelector('[data-ready]')
       await page.evaluate(() => window.sandbox.step?.(0))
+      if (context === undefined) await page.evaluate(() => { document.getElementById('show-more').checked = true })
       await test(page)
       assert.deepEqual(wrong, [])
     },

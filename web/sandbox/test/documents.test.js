@@ -43,7 +43,7 @@ test('maps of Tiled and LDtk are opened', () =>
       await page.locator('#file').setInputFiles(files.map((name) => maps + name))
       await message(page, new RegExp(`${files[0]}: \\d\\d+ polygons`))
       await page.locator('#check').click()
-      await message(page, /No mismatch: the \d\d+ segments/)
+      await message(page, /No mismatch: all \d\d+ segments/)
     }
     await page.locator('#file').setInputFiles([`${maps}landscape.tmx`])
     await message(page, /landscape\.tsx/)
@@ -98,7 +98,7 @@ test('a link holds the edits, the view and the bodies', async () => {
     await page.evaluate(() => window.sandbox.step(90))
     ;[shared, ground] = [await state(page), await outline(page)]
     await page.locator('#share').click()
-    await message(page, /holds ground, view and bodies/)
+    await message(page, /has your terrain, view and bodies/)
     hash = new URL(page.url()).hash
   })
   await browser.onPage(
@@ -127,7 +127,7 @@ test('what was dug is there again after the page was closed', async () => {
   await browser.onPage(
     async (page) => {
       assert.equal(await outline(page), ground)
-      await message(page, /ground of last time/)
+      await message(page, /terrain from last time/)
     },
     { query: '?keep' },
   )
@@ -171,14 +171,14 @@ test('check finds a difference if there is one', () =>
       }
     })
     await page.locator('#check').click()
-    await message(page, /MISMATCH with the naive reference: \d+ segments/)
+    await message(page, /MISMATCH with the reference: \d+ segments/)
   }))
 
 test('a trace in the address is checked, and stepped through', () =>
   browser.onPage(
     async (page) => {
       await page.locator('#check').click()
-      await message(page, /No mismatch: the \d segments/)
+      await message(page, /No mismatch: all \d segments/)
       const opened = page.waitForEvent('popup')
       await page.locator('#steps').click()
       const steps = await opened

@@ -53,7 +53,7 @@ const context = { viewport: { width: 1280, height: 800 } }
 try {
   const seen = [], spent = []
   for (let k = 0; k < openings; ++k)
-    await browser.onPath((page) => page.waitForTimeout(200), '?welcome', { context, before: async (page) => {
+    await browser.onPath((page) => page.waitForTimeout(200), '', { context, before: async (page) => {
       const cpu = await clock(page)
       await page.exposeBinding('seen', async (_, now) => {
         seen.push(now)
@@ -64,12 +64,12 @@ try {
   show('the digger is seen', seen)
   show('CPU until then', spent)
   await browser.onPage(async (page) => {
-    await page.locator(`input[name=view][value=${view}]`).check()
+    await page.locator(`input[name=view][value=${view}]`).evaluate((radio) => radio.click())
     show(`${crowd} bodies, ${view}`, await page.evaluate(fall, [crowd, frames]))
   }, { context })
   await browser.onPage(
     async (page) => {
-      await page.locator(`input[name=view][value=${view}]`).check()
+      await page.locator(`input[name=view][value=${view}]`).evaluate((radio) => radio.click())
       const cpu = await clock(page)
       await page.evaluate(() => window.sandbox.measure('everywhere', 60)) // compiled by now
       for (const place of ['along', 'everywhere']) {

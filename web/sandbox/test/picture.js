@@ -25,7 +25,7 @@ try {
       await drag([12.5, 17.4], [15.5, 17.4])
       await page.screenshot({ path: process.argv[2] })
     },
-    '?welcome',
+    '',
     { context: { viewport: { width: 1000, height: 620 }, reducedMotion: 'reduce' } },
   )
 } finally {

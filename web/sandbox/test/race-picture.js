@@ -87,6 +87,8 @@ for (let i = Math.floor(focus.x) - 2; i < focus.x + 2; ++i) {
   const [x, y] = inLens({ x: i, y: 1 })
   parts.push(`<rect class="ground" x="${x + 1}" y="${y}" width="${round(zoom - 2)}" height="200"/>`)
 }
+const seam = Math.round(focus.x)
+parts.push(`<path class="push" d="M${inLens({ x: seam, y: 1 })}H${inLens({ x: seam + 1, y: 1 })[0]}"/>`)
 animate('lens', replay.map((moment, k) => [(k * lens.slower) / 60, `transform:translate(${inLens(moment).join('px,')}px)`]).concat([[span, `transform:translate(${inLens(focus).join('px,')}px)`]]), span)
 parts.push(`<g class="lens"><circle r="${round(0.35 * zoom)}" fill="${colours[1]}"/></g>`)
 const before = replay[kickInReplay - 1]
@@ -97,7 +99,8 @@ animate('push', [[0, 'opacity:0'], [at, 'opacity:0'], [at + 0.01, 'opacity:1'], 
 parts.push(`<path class="push" marker-end="url(#tip)" d="M${lens.x} ${lens.y}l${round(dx * push)} ${round(-dy * push)}"/></g>`)
 parts.push(`<circle class="frame" cx="${lens.x}" cy="${lens.y}" r="${lens.radius}"/>`)
 parts.push(`<text class="soft" x="${lens.x}" y="${lens.y - lens.radius - 10}" font-size="13" text-anchor="middle">the first kick, ${lens.slower} times slower</text>`)
-parts.push(`<text class="soft" x="${lens.x}" y="${lens.y + lens.radius + 26}" font-size="13" text-anchor="middle">no friction, the Moon's gravity</text>`)
+parts.push(`<text class="soft" x="${lens.x}" y="${lens.y + lens.radius + 48}" font-size="13" text-anchor="middle">no friction, Moon gravity</text>`)
+parts.push(`<text class="strong" x="${lens.x}" y="${lens.y + lens.radius + 26}" font-size="13" text-anchor="middle">it hits the end of the next edge</text>`)
 
 const colour = ([paper, ink, soft, ground, grid]) =>
   `.paper{fill:${paper}}text{fill:${ink}}.soft{fill:${soft}}.ground{fill:${ground}}.grid{stroke:${grid}}.flag,.frame{stroke:${ink}}`

@@ -2,7 +2,7 @@
 import { createWorld } from 'localgridseg'
 import { counted, grid, outline, type Seen, segmentsOf, solids, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
-import { arrow, path, type Point, rect } from '../svg.js'
+import { arrow, disc, path, type Point, rect } from '../svg.js'
 
 const columns = 9
 const rows = 6
@@ -60,22 +60,21 @@ export default function cells(element: HTMLElement): void {
     const after = own()
     const isSame = keys(after, withGhosts) === keys(before, withGhosts)
     same = isSame ? same + 1 : 0
-    changed = isSame ? '' : keys(after, withoutGhosts) === keys(before, withoutGhosts) ? ' Its ghosts have changed.' : ' Its segments have changed.'
+    changed = isSame ? '' : keys(after, withoutGhosts) === keys(before, withoutGhosts) ? ' Its ghost vertices have changed.' : ' Its segments have changed.'
     fig.redraw()
   }
-  fig.button('Shuffle all outside', () => shuffle((i, j) => !isNear(i, j)))
+  fig.button('Shuffle the outside', () => shuffle((i, j) => !isNear(i, j)))
   fig.button('Shuffle the neighbours', () => shuffle((i, j) => isNear(i, j) && !(i === cell[0] && j === cell[1])))
   fig.draws(() => {
     const mine = own()
     const parts: SVGElement[] = [...grid(0, 0, columns, rows), ...solids(world), ...outline(segmentsOf(world), fig.pixel, 'segment far')]
     parts.push(rect('near', cell[0] - 1, cell[1] - 1, cell[0] + 2, cell[1] + 2), rect('own', ...cell, cell[0] + 1, cell[1] + 1))
-    for (const { start, end, ghost1, ghost2 } of mine) {
-      parts.push(path('whisker', [start, towards(start, ghost1)]), path('whisker', [end, towards(end, ghost2)]))
-      parts.push(arrow('segment', start, end, 9 * fig.pixel))
-    }
+    for (const { start, end, ghost1, ghost2 } of mine) parts.push(path('whisker', [start, ghost1]), path('whisker', [end, ghost2]))
+    for (const { start, end } of mine) parts.push(arrow('chosen', start, end, 11 * fig.pixel))
+    for (const { ghost1, ghost2 } of mine) parts.push(...[ghost1, ghost2].map((ghost) => disc('ghostpoint', ghost, 5 * fig.pixel)))
     layer.replaceChildren(...parts)
-    const kept = same === 0 ? changed : ` Shuffled ${same === 1 ? 'once' : `${same} times`}: nothing of it has changed.`
-    fig.say(`The cell shows ${mine.length === 0 ? 'no segment' : `${counted(mine.length, 'segment')}, with ghosts`}.${kept}`)
+    const kept = same === 0 ? changed : ` Shuffled ${same === 1 ? 'once' : `${same} times`}: nothing in it has changed.`
+    fig.say(`The cell has ${mine.length === 0 ? 'no segment' : `${counted(mine.length, 'segment')}, with their ghost vertices`}.${kept}`)
   })
 }
 
@@ -87,8 +86,4 @@ const keys = (segments: readonly Seen[], key: (segment: Seen) => string) => segm
 function isIn(start: Point, end: Point, [i, j]: Point): boolean {
   const [x, y] = [(start[0] + end[0]) / 2 - (end[1] - start[1]) / 64, (start[1] + end[1]) / 2 + (end[0] - start[0]) / 64]
   return Math.floor(x) === i && Math.floor(y) === j
-}
-
-function towards(from: Point, to: Point): Point {
-  return [from[0] + (to[0] - from[0]) * 0.4, from[1] + (to[1] - from[1]) * 0.4]
 }

@@ -37,6 +37,6 @@ export default function cuts(element: HTMLElement): void {
       ...wall.map(({ start, end }, k) => words('mark', [1 - 15 * fig.pixel, (start[1] + end[1]) / 2 - 5 * fig.pixel], 15 * fig.pixel, `${k + 1}`)),
     )
     const where = tip.at[0] > 1 ? 'The tip is free' : tip.at[1] % 1 === 0 ? 'The tip is at a corner' : 'The tip touches the wall'
-    fig.say(`${where}: the wall is ${counted(wall.length, 'segment')}.`)
+    fig.say(`${where}: the wall is ${counted(wall.length, 'piece')}.`)
   })
 }

@@ -126,7 +126,7 @@ export default function fan(element: HTMLElement): void {
     const degrees = Math.round((hand * 360) / turn)
     fig.say(
       isThere
-        ? `After ${degrees} degrees the hand meets a segment. It is the ${isBack ? 'predecessor' : 'successor'}: its far end is the ghost.`
+        ? `After ${degrees} degrees the hand meets a segment. It is the ${isBack ? 'predecessor' : 'successor'}: its far end is the ghost vertex.`
         : `Turned by ${degrees} degrees. The hand has met no segment yet.`,
     )
   })

@@ -3,7 +3,7 @@
 import { createWorld } from 'localgridseg'
 import { PlanckTerrain } from 'localgridseg/planck'
 import { Circle, Vec2, World as Physics, WorldManifold } from 'planck'
-import { counted, segmentsOf, solids, square } from '../ground.js'
+import { segmentsOf, solids, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
 import { arrow, disc, path, type Point, words } from '../svg.js'
 
@@ -89,7 +89,7 @@ export default function ghosts(element: HTMLElement): void {
       const other = floor.find(({ id }) => id === segment)
       if (isAskew && other !== undefined) {
         const middle = (other.start[0] + other.end[0]) / 2
-        parts.push(path('wrong', [other.start, other.end]), words('label askew', [middle, 1 - 24 * fig.pixel], 14 * fig.pixel, 'the end of this one'))
+        parts.push(path('wrong', [other.start, other.end]), words('label askew', [clamp(middle, 0.9, tiles - 0.9), 1 - 46 * fig.pixel], 14 * fig.pixel, 'hits the end of this edge'))
       }
       const askew = found.find(({ normal: [nx] }) => Math.abs(nx) > straight), side = Math.sign(askew?.normal[0] ?? -1) * (isAskew ? 1 : -1), tip: Point = [x + normal[0] * 1.25, y + normal[1] * 1.25]
       parts.push(arrow(kind, [x, y], tip, 12 * fig.pixel, 0, 0.95))
@@ -98,7 +98,7 @@ export default function ghosts(element: HTMLElement): void {
       parts.push(word)
     }
     layer.replaceChildren(...parts)
-    const skew = skewed === 0 ? (found.length === 1 ? 'straight up' : 'all straight up') : `${skewed} of them askew, from the end of the next tile's edge`
-    fig.say(found.length === 0 ? 'The ball touches nothing.' : `The floor pushes ${counted(found.length, 'time')}, ${skew}.`)
+    const skew = skewed === 0 ? 'straight up' : `${found.length > skewed ? 'straight up, and ' : ''}back, off the end of the next edge`
+    fig.say(found.length === 0 ? 'The ball touches nothing.' : `The floor pushes ${found.length === 1 ? 'once' : 'twice'}: ${skew}.`)
   })
 }

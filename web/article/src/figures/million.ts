@@ -2,7 +2,7 @@
 import { circle, createWorld, type World } from 'localgridseg'
 import { counted, grid, seen, type Seen, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
-import { disc, path, type Point, rect } from '../svg.js'
+import { disc, path, type Point, rect, words } from '../svg.js'
 
 const side = 1000 // cells
 const width = 18 // of the part that is shown, in cells
@@ -60,9 +60,9 @@ export default function million(element: HTMLElement): void {
     const around = touched.flatMap(([i, j]) => [-1, 0, 1].flatMap((dj) => [-1, 0, 1].map((di): Point => [i + di, j + dj])))
     near = [...new Map(around.map((cell) => [String(cell), cell])).values()]
     report =
-      `The brush reached ${counted(touched.length, 'cell')}; with all their neighbours these are ${near.length} of a million cells. ` +
-      `${counted(removed.length, 'segment')} removed, ${added.length} added, ${relinked.length} with another ghost. ` +
-      `To dig here and take it back takes ${times[0].toFixed(2)} ms. In a world of only the 100 cells around it: ${times[1].toFixed(2)} ms.`
+      `The brush reached ${counted(touched.length, 'cell')}; with their neighbours, ${near.length} of a million cells. ` +
+      `${counted(removed.length, 'segment')} removed, ${added.length} added, ${relinked.length} with another ghost vertex. ` +
+      `To dig here and undo it: ${times[0].toFixed(2)} ms. In a world of only 100 cells: ${times[1].toFixed(2)} ms.`
     fig.redraw()
   }
   const digAt = (x: number, y: number, isFirst: boolean) => {
@@ -95,7 +95,7 @@ export default function million(element: HTMLElement): void {
     for (const [i, j] of touched) parts.push(rect('own', ...shift([i, j]), ...shift([i + 1, j + 1])))
     for (const { start, end } of segmentsIn(world, cells)) parts.push(path('segment far', [shift(start), shift(end)]))
     for (const { list, kind } of changed) for (const { start, end } of list) parts.push(path(kind, [shift(start), shift(end)]))
-    layer.replaceChildren(...parts)
+    layer.replaceChildren(...parts, ...map(at, fig.pixel))
     fig.say(report || `${world.stats().cells.toLocaleString('en')} of a million cells hold rock. Drag to dig.`)
   }
   fig.draws(draw)
@@ -111,11 +111,26 @@ export default function million(element: HTMLElement): void {
   watch.observe(element)
 }
 
+const caves = Array.from({ length: 150 }, (_, k): Point => [(k * 379.3) % side, (k * 617.9) % side])
+
+/** The whole world, in a corner, and where in it one is. */
+function map([x, y]: Point, pixel: number): SVGElement[] {
+  const size = 2.6, word = words('label mapword', [width - 0.25, height - size - 0.25 - 15 * pixel], 12 * pixel, 'the whole world'), left = width - size - 0.25, low = height - size - 0.25
+  const place = (px: number, py: number): Point => [left + (size * px) / side, low + (size * py) / side], [cx, cy] = place(x + width / 2, y + height / 2)
+  word.setAttribute('text-anchor', 'end')
+  return [
+    rect('map', left, low, left + size, low + size),
+    ...caves.map((cave) => disc('hole', place(...cave), 0.018)),
+    disc('here', [cx, cy], 4 * pixel),
+    word,
+  ]
+}
+
 // Full rock, with caves.
 function makeWorld(): World {
   const world = createWorld()
   world.fill({ i0: 0, j0: 0, i1: side - 1, j1: side - 1 }, world.shape(square), 1)
-  for (let k = 0; k < 150; ++k) world.carve(circle((k * 379.3) % side, (k * 617.9) % side, 3 + (k % 4), 20))
+  for (const [k, [x, y]] of caves.entries()) world.carve(circle(x, y, 3 + (k % 4), 20))
   for (const [x, y] of [[494, 499], [501, 498], [505, 502]]) world.carve(circle(x, y, 2.4, 20))
   world.commit()
   return world

@@ -40,7 +40,7 @@ export default async function proof(element: HTMLElement): Promise<void> {
     const bad = wanted.filter(({ key }) => !got.some((edge) => edge.key === key))
     const isSameLine = wanted.length === got.length && bad.every((edge) => twin(edge, got) !== undefined)
     return isSameLine
-      ? `The same segments, but ${bad.length} ${bad.length === 1 ? 'has' : 'have'} another ghost.`
+      ? `The same segments, but ${bad.length} ${bad.length === 1 ? 'has' : 'have'} another ghost vertex.`
       : `${counted(bad.length, 'segment')} of the reference ${bad.length === 1 ? 'is' : 'are'} missing or wrong.`
   }
   const check = async (): Promise<boolean> => {
@@ -52,7 +52,7 @@ export default async function proof(element: HTMLElement): Promise<void> {
   const show = async () => {
     const isSame = await check()
     const next = subject === planted ? ' Now test it.' : ''
-    report = isSame ? `The same: ${counted(got.length, 'segment')}, with all their ghosts.${next}` : `They differ. ${difference()}`
+    report = isSame ? `The same: ${counted(got.length, 'segment')}, with all their ghost vertices.${next}` : `They differ. ${difference()}`
     fig.redraw()
   }
   fig.handle({

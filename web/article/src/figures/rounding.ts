@@ -44,7 +44,7 @@ export default function rounding(element: HTMLElement): void {
     const most = farthest(segments, corners[1], corners[2])
     fig.say(
       `The vertex that the brush made is ${Math.abs(off).toFixed(2)} units from the exact crossing. ` +
-        `This whole edge is nowhere more than ${most.toFixed(2)} units from the exact one.`,
+        `The edge is at most ${most.toFixed(2)} units from the exact one.`,
     )
   })
 }

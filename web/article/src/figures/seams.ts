@@ -12,7 +12,8 @@ const gravity = 1.62 // of the Moon
 const first = 8.6 // cells a second
 const radius = 0.42
 const skin = 0.005 // metres: so far from an edge planck lets a ball rest. This one is made smaller by it
-const tiles = innerWidth < 560 ? 9 : 13 // on a phone from nearer
+const isNarrow = innerWidth < 560
+const tiles = isNarrow ? 9 : 13 // on a phone from nearer
 const from = 1, to = tiles - 0.5 // cells
 const jolt = 0.03 // metres a second: the floor is level, so who moves up by more was kicked
 const large = 0.15 // such a kick is shown slowly
@@ -20,11 +21,11 @@ const step = 1 / 60
 const around = 0.06 // seconds before and after a kick that are shown slowly
 const pace = 0.42, slow = 0.05 // of time
 const pause = 70 // frames at the end
-const floors = [3.6, 0.95] // where the floors are drawn
-const titles = [1.85, 1.6] // above them
-const font = innerWidth < 560 ? 12.5 : 14 // pixels
+const floors = [isNarrow ? 4.25 : 3.8, 0.95] // where the floors are drawn
+const title = isNarrow ? 2.1 : 1.9 // above them
+const font = isNarrow ? 12.5 : 14 // pixels
 const thick = 0.34
-const lead = 0.2 // seconds before the first kick, where it begins for whoever has just come
+const late = 0.015 // seconds after the first kick: there it begins for whoever has just come
 const letter = 0.6 // of its size: how wide it is
 
 interface Kick {
@@ -61,7 +62,7 @@ function roll(speed: number, ghosts: boolean): Roll {
 }
 
 export default function seams(element: HTMLElement): void {
-  const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: 5.8 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
+  const fig = new Figure(element, { x0: 0, y0: 0, x1: tiles, y1: floors[0] + 2.5 }, 'Two balls on floors of tiles: one stumbles, the other one glides')
   let rough = roll(first, false), smooth = roll(first, true)
   const end = () => (rough.points.length - 1) * step
   const at = ({ points }: Roll, t: number): Point => {
@@ -69,7 +70,10 @@ export default function seams(element: HTMLElement): void {
     return [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
   }
   const still = fig.layer(), moving = fig.layer()
-  for (const y of floors) still.append(rect('slab', 0, y - thick, tiles, y))
+  for (const y of floors) {
+    still.append(rect('slab', 0, y - thick, tiles, y))
+    for (let i = 1; i < tiles; ++i) still.append(path('seam', [[i, y], [i, y - thick]]))
+  }
   let time = 0, waits = 0
   const ofHandle = (): Point => [at(rough, time)[0], at(rough, time)[1] + floors[0]]
   const handle = fig.handle({
@@ -98,9 +102,9 @@ export default function seams(element: HTMLElement): void {
     handle.at = ofHandle()
     fig.redraw()
   })
-  if (matchMedia('(prefers-reduced-motion: reduce)').matches) time = rough.kicks[0].time + 0.7 * around
-  else time = Math.max(0, rough.kicks[0].time - lead)
+  time = rough.kicks[0].time + late
   handle.at = ofHandle()
+  const facts = ({ kicks, speeds }: Roll) => `${counted(kicks.filter((kick) => kick.time <= time).length, 'kick')}, ${speeds[Math.min(speeds.length - 1, Math.round(time / step))].toFixed(1)} cells/s`
   // Below a floor, as far as there is room to the sides.
   const below = (kind: string, x: number, floor: number, text: string) => {
     const size = font * fig.pixel, half = (letter * size * text.length) / 2
@@ -108,8 +112,6 @@ export default function seams(element: HTMLElement): void {
   }
   fig.draws(() => {
     const parts: SVGElement[] = [], pixel = fig.pixel, rolls = [rough, smooth], hits = rough.kicks.filter((kick) => kick.time <= time)
-    // Nobody sees that the floor is of tiles, until it matters.
-    if (hits.length > 0) for (const y of floors) for (let i = 1; i < tiles; ++i) parts.push(path('seam', [[i, y], [i, y - thick]]))
     if (hits.length > 0) {
       const seam = Math.round(hits[0].at[0])
       parts.push(path('wrong', [[seam, floors[0]], [seam + 1, floors[0]]]), disc('kick', [seam, floors[0]], 5 * pixel))
@@ -118,7 +120,7 @@ export default function seams(element: HTMLElement): void {
     const place = rolls.map((each, n): Point => [at(each, time)[0], at(each, time)[1] + floors[n]])
     rolls.forEach((each, n) => {
       const kind = n === 0 ? 'rough' : 'smooth', [x, y] = place[n], floor = floors[n]
-      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + titles[n]], (font + 1) * pixel, n === 0 ? 'Without ghost vertices' : 'With ghost vertices'))
+      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + title], (font + 1) * pixel, `With${n === 0 ? 'out' : ''} ghost vertices: ${facts(each)}`))
       parts.at(-1)!.setAttribute('text-anchor', 'end')
       const trail = each.points.slice(0, Math.floor(time / step) + 1).map(([px, py]): Point => [px, py + floor])
       parts.push(path(`way ${kind}`, [...trail, [x, y]]))
@@ -147,8 +149,6 @@ export default function seams(element: HTMLElement): void {
       }
     })
     moving.replaceChildren(...parts)
-    const kicked = rough.kicks.filter((kick) => kick.time <= time).length
-    const speedOf = ({ speeds }: Roll) => speeds[Math.min(speeds.length - 1, Math.round(time / step))].toFixed(1)
-    fig.say(`Without: ${counted(kicked, 'kick')}, ${speedOf(rough)} cells a second. With: ${counted(smooth.kicks.length, 'kick')}, ${speedOf(smooth)}.`, true)
+    fig.say(`Without: ${facts(rough)}. With: ${facts(smooth)}.`, true)
   })
 }

@@ -69,7 +69,7 @@ export default function touch(element: HTMLElement): void {
       disc('walker', at, 8 * fig.pixel),
     )
     const corner = [...segments.values()].filter(({ start }) => [...segments.values()].some((other) => other.start !== start && `${other.start}` === `${start}`))
-    const what = corner.length > 0 ? 'They touch in a point. The walk goes through the free wedge, from one to the other:' : 'The walk follows the links:'
+    const what = corner.length > 0 ? 'They touch in one point. The walk switches from one solid to the other:' : 'The walk follows the links:'
     fig.say(`${what} ${counted(loops.length, 'closed loop')}.`)
   })
 }

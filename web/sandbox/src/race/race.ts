@@ -115,15 +115,16 @@ export class Race {
   get result(): string {
     const [smooth, rough] = this.lanes
     if (smooth.time === null) return ''
-    if (rough.time === null) return `With ghosts ${smooth.time.toFixed(2)} s.`
+    if (rough.time === null) return `With ghost vertices: ${smooth.time.toFixed(2)} s.`
     const kicks = rough.side.kicks.count
     const [won, lost] = [smooth.time.toFixed(2), rough.time.toFixed(2)]
     const lead = (Number(lost) - Number(won)).toFixed(2)  // of the times as they are read
-    return `With ghosts it wins by ${lead} s: ${won} to ${lost}. Without it was kicked ${kicks} ${kicks === 1 ? 'time' : 'times'}.`
+    return `With ghost vertices: ${won} s. Without: ${lost} s, ${lead} s later, after ${kicks} ${kicks === 1 ? 'kick' : 'kicks'}.`
   }
+
   /** What the speeds show, when it is over. */
   get ending(): string {
     const [smooth, rough] = this.lanes.map(({ moments }) => moments.findLast(({ x }) => x <= finish)!.vx.toFixed(1))
-    return `With ghosts it keeps ${smooth}; without, each kick costs speed, and ${rough} is left.`
+    return `Each kick costs speed: ${rough} is left of ${smooth}.`
   }
 }

@@ -28,7 +28,7 @@ export class Strip {
     if (load === this.#load) return
     if (load > this.#load && this.#load >= 0) this.#ended = -Infinity
     this.#load = load
-    element('dig-carried').textContent = load === 0 ? '' : `${load === 1 ? 'Your crystal rolls' : `Your ${load} crystals roll`} home, twice.`
+    element('dig-carried').textContent = load === 0 ? '' : `${load === 1 ? 'Your crystal rolls' : `Your ${load} crystals roll`} home.`
   }
 
   #begin(now: number): void {

@@ -1,12 +1,12 @@
-// Draws a race: two lanes, below them the speeds over the same distance, and a lens that shows both at the seam of the
-// first kick, slowly.
+// Draws a race: two lanes, below them the speeds over the same distance, and a close-up of both at the seam of the first
+// kick, in slow motion.
 import type { World } from 'localgridseg'
 import { large, shine } from '../crystals.js'
 import { theme, wantsCalm } from '../theme.js'
 import { finish, type Lane, type Moment, type Race, start } from './race.js'
 
-const slower = 14 // times, under the lens
-const lensCells = 2.4
+const slower = 14 // times, in the close-up
+const closeCells = 3.4 // that it is wide
 const flashes = 24 // steps
 const farthest = 6 // cells, that one wheel is ahead of the other
 const font = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif'
@@ -30,14 +30,12 @@ export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number,
   c.fillStyle = colours.sky
   c.fillRect(0, 0, width, height)
   const isWide = width > 1.25 * height
-  const lens = Math.min(isWide ? width * 0.27 : width * 0.6, height * (isWide ? 0.62 : 0.32))
-  const right = isWide ? width - lens - 34 : width
-  const bottom = isWide ? height : height - lens - 46
-  const lane = Math.min(bottom * 0.31, 50 + (2.6 * right) / (finish + 2))
+  const right = isWide ? width - Math.min(440, 0.36 * width) - 30 : width
+  const lane = Math.min(height * (isWide ? 0.4 : 0.2), 50 + (2.6 * right) / (finish + 2))
   race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: k * lane, width: right, height: lane }))
-  drawSpeeds(c, race, { x: 0, y: 2 * lane, width: right, height: bottom - 2 * lane })
-  const middle = isWide ? right + lens / 2 + 8 : width / 2
-  drawLens(c, race.lanes, middle, isWide ? lens / 2 + 44 : bottom + lens / 2 + 30, lens / 2, now)
+  if (isWide && height - 2 * lane > 130) drawSpeeds(c, race, { x: 0, y: 2 * lane, width: right, height: height - 2 * lane })
+  const x = isWide ? right + 16 : 12, y = isWide ? 0 : 2 * lane + 8
+  drawCloseUp(c, race, { x, y, width: width - 12 - x, height: Math.min(height - y - 8, 560) }, now)
 }
 
 /** The lanes alone, from near: what is seen goes along with the wheel that is behind. So many crystals are in each wheel. */
@@ -73,9 +71,10 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
     const [x, y] = at(i, 1)
     c.fillRect(x + 0.5, y, unit - 1, thick)
   }
-  if (lane.side.ghosts) drawGhosts(c, world, lane.moments.at(-1)!, at)
+  if (lane.side.ghosts) drawGhosts(c, world, lane.moments.at(-1)!.x, at)
   drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, wheel, load)
   c.restore()
+  if (part === whole && lane.kicks.length > 0) drawFirst(c, at(...lane.kicks[0].at), place.y + text, text)
   c.textBaseline = 'top'
   c.textAlign = 'left'
   c.fillStyle = wheel
@@ -84,7 +83,7 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
   c.fill()
   c.fillStyle = colours.ink
   c.font = `600 ${text}px ${font}`
-  const title = lane.side.ghosts ? 'With ghost vertices' : 'Without'
+  const title = lane.side.ghosts ? 'With' : 'Without'
   c.fillText(title, 32, line)
   const left = 44 + c.measureText(title).width
   if (lane.time !== null) {
@@ -94,8 +93,25 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
   const kicks = lane.side.kicks.count
   c.font = `${text}px ${font}`
   c.textAlign = 'left'
-  c.fillStyle = kicks > 0 ? colours.removed : colours.ink
-  c.fillText(`${kicks} ${kicks === 1 ? 'kick' : 'kicks'}`, left, line)
+  const sign = lane.side.ghosts ? '○' : '●', wide = c.measureText(`${sign} `).width
+  c.fillText(`${lane.side.ghosts ? 'ghost vertices: ' : ''}${kicks} ${kicks === 1 ? 'kick' : 'kicks'}`, left + wide, line)
+  c.font = `900 ${text}px ${font}`
+  c.fillStyle = lane.side.ghosts ? colours.added : colours.kick
+  c.fillText(sign, left, line)
+}
+
+// What the first kick is, above it.
+function drawFirst(c: CanvasRenderingContext2D, [x, y]: [number, number], top: number, text: number): void {
+  c.fillStyle = c.strokeStyle = theme().kick
+  c.lineWidth = 1.5
+  c.font = `600 ${Math.min(14, text)}px ${font}`
+  c.textAlign = 'left'
+  c.textBaseline = 'middle'
+  c.fillText('first kick, at a seam', x + 7, top)
+  c.beginPath()
+  c.moveTo(x, y)
+  c.lineTo(x, top - 7)
+  c.stroke()
 }
 
 // A ring opens where a kick happens, and a dot stays.
@@ -123,16 +139,16 @@ function drawFlag(c: CanvasRenderingContext2D, [x, y]: [number, number], unit: n
 }
 
 // The ghosts of the segment below the wheel: the far ends of its neighbours.
-function drawGhosts(c: CanvasRenderingContext2D, world: World, { x }: Moment, at: (x: number, y: number) => [number, number]): void {
+function drawGhosts(c: CanvasRenderingContext2D, world: World, x: number, at: (x: number, y: number) => [number, number], radius = 4.5): void {
   const near = world.nearest(x, 1.2, 1)
   if (near === null) return
   const { ghost1, ghost2 } = world.segment(near.segment)
   c.strokeStyle = theme().added
-  c.lineWidth = 2
+  c.lineWidth = radius / 2.2
   for (const ghost of [ghost1, ghost2]) {
     if (ghost === null) continue
     c.beginPath()
-    c.arc(...at(...ghost), 4.5, 0, 2 * Math.PI)
+    c.arc(...at(...ghost), radius, 0, 2 * Math.PI)
     c.stroke()
   }
 }
@@ -218,45 +234,56 @@ function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void
   if (isRoomy && race.isOver) write(race.ending, 14, low + 30, 'left', 600, Math.min(14, place.width / 34))
 }
 
-// Above the wheel with ghosts, below that without, at the same seam.
-function drawLens(c: CanvasRenderingContext2D, lanes: readonly Lane[], x: number, y: number, radius: number, now: number): void {
-  const colours = theme(), { replay, kickInReplay } = lanes[1]
-  const length = Math.max(1, replay.length - 1)
+// Above the wheel with ghosts, below that without, at the same seam. What kicks stays until the end.
+function drawCloseUp(c: CanvasRenderingContext2D, { world, lanes }: Race, { x, y, width, height }: Place, now: number): void {
+  const colours = theme(), { replay, kickInReplay, kicks, kickAt } = lanes[1], isKicked = replay.length > 1
+  const length = Math.max(1, replay.length - 1), high = (height - 24) / 2
   const t = wantsCalm() ? Math.min(kickInReplay, length) : ((now / 1000) * 60) / slower % length
-  const focus = replay[kickInReplay] ?? lanes[1].moments.at(-1)!, unit = (2 * radius) / lensCells
-  c.save()
-  c.beginPath()
-  c.arc(x, y, radius, 0, 2 * Math.PI)
-  c.clip()
+  const seam = isKicked ? Math.round(kicks.find(({ moment }) => moment === kickAt)!.at[0]) : Math.round(lanes[1].moments.at(-1)!.x)
+  const unit = Math.min(width / closeCells, (high - 40) / 1.15)
+  const write = (text: string, tx: number, ty: number, align: CanvasTextAlign = 'center') => {
+    c.fillStyle = colours.ink
+    c.font = `600 14px ${font}`
+    c.textAlign = align
+    c.textBaseline = 'middle'
+    c.fillText(text, tx, ty)
+  }
+  write(isKicked ? `The first kick, ${slower} times slower` : 'Close-up', x + width / 2, y + 14)
   for (const [k, lane] of lanes.entries()) {
-    const bottom = y + k * radius, floor = bottom - 0.22 * radius
-    const at = (cx: number, cy: number): [number, number] => [x + (cx - focus.x) * unit, floor - (cy - 1) * unit]
-    const passes = k === 1 ? replay : passing(lane, focus.x, kickInReplay, replay.length)
+    const top = y + 26 + k * (high + 4), floor = top + high - 40
+    const at = (cx: number, cy: number): [number, number] => [x + width / 2 + (cx - seam + 0.5) * unit, floor - (cy - 1) * unit]
+    const passes = k === 1 ? replay : passing(lane, replay[kickInReplay]?.x ?? 0, kickInReplay, replay.length)
+    const moment = passes.length < 2 ? lane.moments.at(-1)! : between(passes, Math.min(t, passes.length - 1))
     c.save()
     c.beginPath()
-    c.rect(x - radius, bottom - radius, 2 * radius, radius)
+    c.roundRect(x, top, width, high - 4, 12)
+    c.strokeStyle = colours.close
+    c.lineWidth = 3
+    c.stroke()
     c.clip()
-    c.fillStyle = colours.sky
-    c.fillRect(x - radius, bottom - radius, 2 * radius, radius)
     c.fillStyle = colours.ground
-    for (let i = Math.floor(focus.x) - 3; i < focus.x + 3; ++i) c.fillRect(at(i, 1)[0] + 1, floor, unit - 2, radius)
-    drawWheel(c, passes.length < 2 ? lane.moments.at(-1)! : between(passes, Math.min(t, passes.length - 1)), at, unit * start.size, colours.riders[k])
-    if (k === 1 && replay.length > 1 && t >= kickInReplay - 0.5) drawPush(c, replay, kickInReplay, at)
+    c.fillRect(x, floor, width, high)
+    c.fillStyle = colours.sky
+    for (let i = seam - 2; i < seam + 3; ++i) c.fillRect(at(i, 1)[0] - 1, floor, 2, 10)
+    if (isKicked) drawEdge(c, at(seam - 1, 1), at(seam, 1), colours.riders[k])
+    if (isKicked && k === 0) drawGhosts(c, world, seam - 0.5, at, 7)
+    if (isKicked && k === 1) drawEdge(c, at(seam, 1), at(seam + 1, 1), colours.kick)
+    drawWheel(c, moment, at, unit * start.size, colours.riders[k])
+    if (isKicked && k === 1) drawPush(c, replay, kickInReplay, at)
     c.restore()
+    write(k === 0 ? 'With' : 'Without', x + 14, top + 16, 'left')
+    if (isKicked) write(k === 0 ? '○ ghost vertex: the floor goes on' : 'it hits the end of the next edge', x + width / 2, floor + 23)
   }
-  c.restore()
-  c.strokeStyle = colours.ink
-  c.lineWidth = 3
+}
+
+function drawEdge(c: CanvasRenderingContext2D, from: [number, number], to: [number, number], colour: string): void {
+  c.strokeStyle = colour
+  c.lineWidth = 5
+  c.lineCap = 'round'
   c.beginPath()
-  c.arc(x, y, radius, 0, 2 * Math.PI)
-  c.moveTo(x - radius, y)
-  c.lineTo(x + radius, y)
+  c.moveTo(...from)
+  c.lineTo(...to)
   c.stroke()
-  c.fillStyle = colours.ink
-  c.textAlign = 'center'
-  c.textBaseline = 'bottom'
-  c.font = `13px ${font}`
-  c.fillText(replay.length > 0 ? `Over the same seam, ${slower} times slower` : 'Over the same seam', x, y - radius - 8)
 }
 
 /** As many moments of a wheel around that in which it comes to a place. */
@@ -265,17 +292,27 @@ function passing({ moments }: Lane, x: number, before: number, count: number): r
   return k < 0 ? [] : moments.slice(Math.max(0, k - before), k - before + count)
 }
 
-// What the kick did to the velocity, as an arrow.
+// What the kick did to the velocity, as an arrow, and where the wheel was then.
 function drawPush(c: CanvasRenderingContext2D, replay: readonly Moment[], k: number, at: (x: number, y: number) => [number, number]): void {
   const [a, b] = [replay[Math.max(0, k - 1)], replay[k]]
   const [dx, dy] = [b.vx - a.vx, b.vy - a.vy]
   const length = Math.hypot(dx, dy)
   if (length === 0) return
   const from = at(b.x, b.y)
-  const to = at(b.x + (0.5 * dx) / length, b.y + (0.5 * dy) / length)
+  const to = at(b.x + (0.62 * dx) / length, b.y + (0.62 * dy) / length)
   const angle = Math.atan2(to[1] - from[1], to[0] - from[0])
   c.strokeStyle = theme().kick
+  c.lineWidth = 2
+  c.setLineDash([5, 5])
+  c.beginPath()
+  c.arc(...from, from[0] - at(b.x - start.size, 0)[0], 0, 2 * Math.PI)
+  c.stroke()
+  c.setLineDash([])
   c.lineWidth = 4
+  c.fillStyle = theme().ink
+  c.font = `600 14px ${font}`
+  c.textAlign = 'right'
+  c.fillText('kick', to[0] - 10, to[1])
   c.beginPath()
   c.moveTo(...from)
   c.lineTo(...to)

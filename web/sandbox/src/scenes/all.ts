@@ -19,13 +19,13 @@ export interface Scene {
 
 export const scenes: readonly Scene[] = [
   { id: 'hills', name: 'Hills', make: makeLandscape, cast: () => ({ starts: landscapeRiders(), gate: landscapeGate }), labels: [[31.5, 3.5]], view: landscapeView, middle: landscapeMiddle },
-  { id: 'cave', name: 'Cave (objects of Tiled)', make: () => fetched('cave.tmx', 'crate.tx') },
+  { id: 'cave', name: 'Cave (Tiled objects)', make: () => fetched('cave.tmx', 'crate.tx') },
   { id: 'quarry', name: 'Quarry (LDtk)', make: () => fetched('quarry.ldtk') },
-  { id: 'tiled', name: 'A Tiled map', make: () => fetched('landscape.tmx', 'landscape.tsx') },
+  { id: 'tiled', name: 'Hills (Tiled)', make: () => fetched('landscape.tmx', 'landscape.tsx') },
   { id: 'platforms', name: 'One-way platforms', make: makePlatforms, cast: () => platformsCast, labels: [[7, 2.75], [25, 3.25]] },
   { id: 'materials', name: 'Ice and conveyor', make: makeMaterials, cast: () => materialsCast, labels: [[10.5, 1], [24.5, 1], [31.5, 1], [38.5, 1]] },
   { id: 'million', name: 'A million cells', make: makeMillion, cast: () => millionCast, view: [478, 490, 522, 508] },
-  { id: 'empty', name: 'Nothing', make: () => newDocument(), cast: () => ({ starts: [], gate: landscapeGate }) },
+  { id: 'empty', name: 'Empty', make: () => newDocument(), cast: () => ({ starts: [], gate: landscapeGate }) },
 ]
 
 export function sceneOf(id: string): Scene {

@@ -23,7 +23,7 @@ export const width = 48
 /** What is seen of it at first: left, bottom, right, top. */
 export const landscapeView = [-14, 0.4, width, 14.4] as const
 /** What a narrow screen has in its middle: a rock that hangs on the left, and the slope with its bodies on the right. */
-export const landscapeMiddle = 3
+export const landscapeMiddle = 1.5
 
 // On the left is a cave, where rocks hang from the roof: who digs at their necks sees them fall.
 const roof = 11.25

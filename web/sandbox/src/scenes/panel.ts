@@ -13,9 +13,9 @@ export class ScenePanel {
   #open = 'hills'
 
   constructor(onChoose: (id: string) => void, say: (text: string) => void) {
-    const own = new Option('Your own ground', '')
+    const own = new Option('Your terrain', '')
     own.hidden = true
-    this.#menu.append(own, ...scenes.map(({ id, name }) => new Option(name, id)), new Option('Begin it anew', anew))
+    this.#menu.append(own, ...scenes.map(({ id, name }) => new Option(name, id)), new Option('Start over', anew))
     this.#menu.value = this.#open
     this.#menu.addEventListener('change', () => {
       const value = this.#menu.value === anew ? this.#open || scenes[0].id : this.#menu.value
@@ -49,6 +49,6 @@ export class ScenePanel {
   }
 
   async #copy(say: (text: string) => void): Promise<void> {
-    say((await copied(this.#text)) ? 'The code is copied.' : 'The clipboard is closed to this page.')
+    say((await copied(this.#text)) ? 'The code is copied.' : 'The browser does not let this page copy.')
   }
 }
