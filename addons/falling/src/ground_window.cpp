@@ -97,6 +97,15 @@ bool GroundWindow::unload(World& world, std::size_t& most) {
 
 // --- Land
 
+std::optional<Cell> GroundWindow::firstWithoutLand(const CellRect& cells) const {
+  if (!options_.land || isEmpty(cells)) return std::nullopt;
+  const Cell first = chunkAround(cells.min).min, last = chunkAround(cells.max).max;
+  for (std::int32_t j = first.j; j <= last.j; j = (j | kInChunk) + 1)
+    for (std::int32_t i = first.i; i <= last.i; i = (i | kInChunk) + 1)
+      if (!made_.contains({i, j})) return Cell{i, j};
+  return std::nullopt;
+}
+
 /// Whether all of it is made. Until it is, none of it is in memory: what is beside land that is not made would fall.
 bool GroundWindow::makeLand(World& world, std::int64_t now, const BeforeLand& beforeLand, std::size_t& most) {
   if (!options_.land) return true;

@@ -97,6 +97,18 @@ TEST(GroundByHand, LandIsMadeAroundWhatWasBuiltBefore) {
   EXPECT_EQ(blockIn(ground, {6, 0}), kBedrock);
 }
 
+TEST(GroundByHand, WhereNoLandIsMadeYetNothingIsDug) {
+  Ground<> ground(options(100, AtEdge::holds));
+  ASSERT_TRUE(ground.window({{0, 0}, {31, 31}}));
+  const Region hole = circle(latticePoint({70, 5}), kUnitsPerCell);
+  const auto done = ground.dig(hole);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::unloaded);
+  EXPECT_EQ(done.error().cell, (Cell{64, 0}));
+  ASSERT_TRUE(ground.window({{64, 0}, {95, 31}}));
+  EXPECT_TRUE(ground.dig(hole));
+}
+
 TEST(GroundByHand, AnyNumberOfStepsOfUndo) {
   Ground<> ground({.isAnchor = {}, .undoSteps = std::numeric_limits<std::size_t>::max()});
   ASSERT_TRUE(ground.place({3, 4}, kUnitSquare, kStone));

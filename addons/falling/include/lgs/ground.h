@@ -20,15 +20,17 @@
 // The rules that it keeps:
 //
 //  1. A stroke (edit(), dig(), paint(), place()) is one step of undo, with what it cuts off. A stroke that is refused
-//     changes nothing.
+//     changes nothing, but for rule 5.
 //  2. Matter is neither doubled nor lost. Undo over a take destroys the body and the ground is back; undo over a settle
 //     takes the ground away, and the rock lies there as a body, at rest. Redo does either again.
 //  3. While there is something to redo nothing falls and nothing settles, as both are edits, which end the redo. The
 //     next stroke lets them.
 //  4. What reaches the edge of memory is anchored (kBeyond in islands.h), unless GroundOptions::atEdge is `open`. What
-//     is loose when it comes in falls. Undo and redo go on over chunks that left and came back. New land ends the redo.
+//     is loose when it comes in falls. Undo and redo go on over chunks that left and came back. New land ends the redo;
+//     so does an undo to before some that was made after something fell or settled, since that land is made anew.
 //  5. A rock of more than GroundOptions::settleAtOnce polygons becomes ground in several frames. Until it is done its
-//     body stands still, whole; forEachRock() has what is not ground yet, and in a save all of it is ground.
+//     body stands still, whole; forEachRock() has what is not ground yet, and in a save all of it is ground. No new
+//     ground can push it: so before a stroke, but for dig(), what is left of it is ground at once, which ends the redo.
 //  6. Bodies outside of the window, by the cell of their centre of mass, are disabled, the game's too, and enabled when
 //     it is there again: then they are put out of ground that came to their places meanwhile.
 //
@@ -71,9 +73,13 @@ class Ground {
 
   // --- Strokes
 
-  /// Frees a region. Refused: as by carve(), so as `unloaded` where it reaches a chunk that is not in memory.
+  /// Frees a region. Refused: as by carve(), so as `unloaded` where it reaches a chunk that is not in memory; and one of
+  /// which the land is not made yet, with the first cell of that.
   Expected<void> dig(const Region& region) {
-    return edit([&](World& world) { return carve(world, region, options_.staying); });
+    const auto cells = boundsOf(region);
+    if (const auto cell = cells ? window_.firstWithoutLand(*cells) : std::nullopt)
+      return tl::unexpected(Error{.code = ErrorCode::unloaded, .cell = *cell});
+    return stroke([&](World& world) { return carve(world, region, options_.staying); });
   }
   /// Paints a region. Refused: as by lgs::paint().
   Expected<void> paint(const Region& region, Block block, PaintMode mode = PaintMode::fill) {
@@ -87,15 +93,9 @@ class Ground {
   /// Refused: as make() was.
   template <class Edit>
   Expected<void> edit(const Edit& make) {
-    Transaction group = world_.edit();
-    if (const auto done = make(world_); !done) return tl::unexpected(done.error());
-    group.keep();
-    dropFuture();
-    commit();
-    marks_.push_back(world_.mark());
-    ++now_;
-    if (marks_.size() - 1 > options_.undoSteps) forgetOldest();
-    return {};
+    rocks_.dropGone();
+    if (rocks_.finish(now_)) becameGround();
+    return stroke(make);
   }
 
   /// Whether there is a stroke to take back.
@@ -208,6 +208,19 @@ class Ground {
     islands_ = Islands(world_, options_.isAnchor, options_.atEdge);
     marks_ = {world_.mark()};
     oldest_ = now_ = 0;
+  }
+
+  template <class Edit>
+  Expected<void> stroke(const Edit& make) {
+    Transaction group = world_.edit();
+    if (const auto done = make(world_); !done) return tl::unexpected(done.error());
+    group.keep();
+    dropFuture();
+    commit();
+    marks_.push_back(world_.mark());
+    ++now_;
+    if (marks_.size() - 1 > options_.undoSteps) forgetOldest();
+    return {};
   }
 
   // --- Commits

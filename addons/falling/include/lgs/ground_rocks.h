@@ -103,9 +103,9 @@ class GroundRocks {
   bool settleNext(std::int64_t now, std::size_t atOnce) {
     ++steps_;
     for (Fallen& f : rocks_) {
-      if (!f.isInAir || f.parts == 0 || steps_ < f.tries.until) continue;
+      if (!f.isInAir || f.parts == 0 || steps_ < f.goesOnAt) continue;
       const bool isDone = putParts(f, f.parts + 1, now).has_value();
-      if (!isDone) f.tries.until = steps_ + 60;
+      if (!isDone) f.goesOnAt = steps_ + 60;
       return isDone;
     }
     for (std::size_t k = std::min<std::size_t>(rocks_.size(), 16); k > 0; --k) {
@@ -117,6 +117,13 @@ class GroundRocks {
       return (f.rock.ground.polygons.size() > atOnce ? beginParts(f, now, atOnce) : put(f, now)).has_value();
     }
     return false;
+  }
+  /// What is left of those of which a part is ground becomes ground, as far as that takes it. Whether some did.
+  bool finish(std::int64_t now) {
+    bool isAny = false;
+    for (Fallen& f : rocks_)
+      if (f.isInAir && f.parts > 0 && putParts(f, f.inParts->count(), now)) isAny = true;
+    return isAny;
   }
   /// A rock, or what is left of it. Refused: staleHandle; as by the host's settle().
   Expected<void> settle(Handle handle, std::int64_t now) {
@@ -145,6 +152,7 @@ class GroundRocks {
     for (Fallen& f : rocks_) {
       if (f.isInAir || !isThere(f, mark)) continue;
       if (f.parts > 0) f.rock = stopped(f.inParts->whole());
+      f.tries = {};
       make(f);
     }
   }
@@ -182,6 +190,7 @@ class GroundRocks {
     std::vector<std::int64_t> puts{};
     std::size_t parts = 0;                         ///< how many of them are ground now; then its body is held
     std::shared_ptr<const RockInParts> inParts{};  ///< these
+    std::uint64_t goesOnAt = 0;                    ///< the step before which the next one does not try
   };
 
   static bool isNull(Handle handle) { return Host::isSame(handle, Handle{}); }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -50,6 +51,8 @@ class GroundWindow {
 
   // --- Land
 
+  /// The lower left cell of the first chunk of these cells of which the land is not made yet.
+  std::optional<Cell> firstWithoutLand(const CellRect& cells) const;
   std::vector<Cell> land() const { return {made_.begin(), made_.end()}; }  ///< chunks whose land was made
   /// An undo to a mark took away land that was made since; at that time nothing was dug there. Whether there was some.
   bool remakeLand(World& world, std::int64_t now, const BeforeLand& beforeLand);
