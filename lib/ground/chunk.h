@@ -68,11 +68,6 @@ struct Chunk {
   bool hasRoomFor(Block block) const { return !blocks.empty() || commonBlock == block; }
   void setBlock(std::uint32_t local, Block block) {
     if (!hasRoomFor(block)) makeRoomForBlock(block);
-    setBlockThere(local, block);
-  }
-  /// There is room for it.
-  void setBlockThere(std::uint32_t local, Block block) {
-    assert(hasRoomFor(block));
     if (!blocks.empty()) blocks[local] = block;
   }
   Cell cell(std::uint32_t local) const { return cellIn(ci, cj, local); }

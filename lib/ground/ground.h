@@ -52,7 +52,7 @@ class Ground : public Cells {
   bool setSoleAgain(CellAt at, const InternedShape& shape, Placed sole) {
     if (journal.isOn() || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
     at.word() = wordOf(shape.content, sole.serial);
-    at.chunk->setBlockThere(at.local, sole.block);
+    at.chunk->setBlock(at.local, sole.block);
     setDirty(at, shape.facts);
     return true;
   }

@@ -1,11 +1,11 @@
+// An update on several threads, while there are no segments yet.
+//
 // The result is the same on any number of threads, because the segments of each cell are counted first. So lists and
 // ids can be given out in order, before the threads fill them in.
 //
 // No thread writes what another one reads or writes. Counting writes nothing of the world. To create segments, a job
 // writes to the lists of its own chunk and to the segments in them. Of the cells around it reads only which polygons
 // they hold. Linking writes across the rim of a chunk, so chunks that touch are never linked at the same time.
-#include "outline/build.h"
-
 #include "outline/linking.h"
 #include "outline/look.h"
 #include "outline/wide_row.h"

@@ -5,7 +5,6 @@
 // did not change, the ends of what comes and goes lie on that rim. While there are no segments, threads can do both
 // (build.cpp). What the phases ask of a cell is in look.h (law 1); what they do at a vertex is in turn.h and
 // geometry/radial_match.h (law 2).
-#include "outline/build.h"
 #include "outline/exposure.h"
 #include "outline/fetch.h"
 #include "outline/linking.h"

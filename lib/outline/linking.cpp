@@ -11,7 +11,7 @@
 namespace lgs::detail {
 
 Linking::Linking(const Ground& ground, Outline& outline, std::vector<Spoke>& fan)
-    : ground_(ground), outline_(outline), links_(ground.grid, outline), fan_(fan) {
+    : ground_(ground), outline_(outline), fan_(fan) {
   constexpr std::size_t kAlongSides = 8;  // two in each of four directions
   fan_.resize(4 * std::size_t{ground.catalogue.widestFan()} + kAlongSides + 1);
 }
@@ -72,8 +72,8 @@ void Linking::linkInterior(CellAt at) {
   const auto idOf = [&](std::uint32_t k) { return k == InteriorEdge::kNone ? kNoSegment : ids[k]; };
   for (std::size_t k = 0; k < content.interior.size(); ++k) {
     const InteriorEdge& e = content.interior[k];
-    if (e.predecessor != InteriorEdge::kRim) links_.setPredecessor(ids[k], idOf(e.predecessor));
-    if (e.successor != InteriorEdge::kRim) links_.setSuccessor(ids[k], idOf(e.successor));
+    if (e.predecessor != InteriorEdge::kRim) setPredecessor(ids[k], idOf(e.predecessor));
+    if (e.successor != InteriorEdge::kRim) setSuccessor(ids[k], idOf(e.successor));
   }
 }
 
@@ -92,7 +92,7 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
   if (shown[1]) turn.pass<1>(shown[1]);
   if (shown[2]) turn.pass<2>(shown[2]);
   if (shown[3]) turn.pass<3>(shown[3]);
-  turn.close([&](std::uint32_t incoming, std::uint32_t outgoing) { links_.link(incoming, outgoing); });
+  turn.close([&](std::uint32_t incoming, std::uint32_t outgoing) { link(incoming, outgoing); });
 }
 
 /// The same by all half-edges around the vertex, counter-clockwise: if something is preserved, or a cell shows many
@@ -146,15 +146,23 @@ void Linking::linkSide(CellAt at, unsigned side) {
   }
 }
 
+void Linking::change(std::uint32_t id, std::uint32_t before, std::uint32_t now, bool isGhostStart) {
+  outline_.note(id);
+  const SegmentRecord &a = outline_.segments[before], &b = outline_.segments[now];
+  const auto ghost = [&](const SegmentRecord& s) { return isGhostStart ? s.start() : s.end(); };
+  const auto place = [&](const SegmentRecord& s) { return toWorld(ground_.grid.cellOf(s.cellRef), ghost(s)); };
+  const bool same = a.cellRef == b.cellRef ? ghost(a) == ghost(b) : place(a) == place(b);
+  if (before == kNoSegment || now == kNoSegment || !same) outline_.listRelinked(id);
+}
+
 void Linking::match(std::span<const Spoke> fan) {
   if (!ground_.preserve) {
-    radialMatchAlternating(fan,
-                           [&](std::uint32_t incoming, std::uint32_t outgoing) { links_.link(incoming, outgoing); });
+    radialMatchAlternating(fan, [&](std::uint32_t incoming, std::uint32_t outgoing) { link(incoming, outgoing); });
     return;
   }
   radialMatch(
-      fan, kNoSegment, [&](std::uint32_t s, std::uint32_t other) { links_.setPredecessor(s, other); },
-      [&](std::uint32_t s, std::uint32_t other) { links_.setSuccessor(s, other); });
+      fan, kNoSegment, [&](std::uint32_t s, std::uint32_t other) { setPredecessor(s, other); },
+      [&](std::uint32_t s, std::uint32_t other) { setSuccessor(s, other); });
 }
 
 }  // namespace lgs::detail

@@ -1,9 +1,11 @@
-// Phase 2 on the ground, law 2: links the segments at every vertex near a change.
+// Phase 2 on the ground, law 2: links the segments at every vertex near a change, and lists those whose ghost has moved
+// (law 6).
 #pragma once
 
-#include "outline/links.h"
+#include "outline/outline.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,9 +30,26 @@ class Linking {
   void linkCornerBySpokes(const std::array<CellAt, 4>& cells, const Quadrants& shown);
   void match(std::span<const Spoke> fan);
 
+  void link(std::uint32_t incoming, std::uint32_t outgoing) {
+    setSuccessor(incoming, outgoing);
+    setPredecessor(outgoing, incoming);
+  }
+  void setPredecessor(std::uint32_t id, std::uint32_t now) {
+    SegmentRecord& s = outline_.segments[id];
+    if (s.predecessor != now && s.predecessor != kUnlinked) change(id, s.predecessor, now, true);
+    s.predecessor = now;
+  }
+  void setSuccessor(std::uint32_t id, std::uint32_t now) {
+    SegmentRecord& s = outline_.segments[id];
+    if (s.successor != now && s.successor != kUnlinked) change(id, s.successor, now, false);
+    s.successor = now & kUnlinked;
+  }
+  // Slow path: an existing link changes. Lists the segment as relinked only if its ghost moved, which is the start or the
+  // end of the other one: that may have the same far end. A first build never needs it, as no segment had a link before.
+  [[gnu::noinline]] void change(std::uint32_t id, std::uint32_t before, std::uint32_t now, bool isGhostStart);
+
   const Ground& ground_;
-  const Outline& outline_;
-  Links links_;
+  Outline& outline_;
   std::vector<Spoke>& fan_;
 };
 

@@ -164,4 +164,9 @@ class Outline {
   std::vector<Spoke> fan_;
 };
 
+/// Both phases of an update for all changed chunks, on several threads (build.cpp). There are no segments: so every cell
+/// that holds polygons has changed. Segments, ids and changes are the same as if the chunks were renewed and linked one
+/// after the other.
+void build(const Ground& ground, Outline& outline, const Executor& executor);
+
 }  // namespace lgs::detail

@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 namespace lgs::detail {
 
@@ -53,7 +54,12 @@ class RecordArena {
   std::uint64_t bytes() const { return pages_.bytes(); }
 
  private:
-  void addPage();  // in its own file, so that allocate() is small and inlined
+  /// Apart, so that allocate() is small and inlined.
+  [[gnu::noinline]] void addPage() {
+    if (pages_.size() == kMaxPages) std::abort();  // with 8 GiB of records, as if memory had run out
+    pages_.add();
+    used_ = pages_.size() == 1 ? 1 : 0;  // reference 0 names no record
+  }
 
   static constexpr Ref kNone = 0;
   using Page = std::array<std::uint32_t, kPageWords>;

@@ -42,8 +42,8 @@ void AskedNames::see(const Layer& layer) {
   if (blockFrom_ == BlockFrom::layer) blocks_.see(layer.pathInMap);
   leftOut_.see(layer.pathInMap);
   leftOut_.see(layer.node.attribute("name").value());
-  const bool isOfObjects = layer.kind == LayerKind::objects;
-  if (layer.kind != LayerKind::image) see(Called{isOfObjects ? classOf(layer.node) : "", "", propertiesOf(layer)});
+  if (layer.kind == LayerKind::tiles) see(Called{"", "", propertiesOf(layer)});
+  if (layer.kind == LayerKind::objects) see(Called{classOf(layer.node), "", {{kLayerProperty, layer.pathInMap}}});
   for (const auto node : layer.node.children("object")) see(calledOf(node));
 }
 

@@ -23,7 +23,7 @@ bool isDue(const LayerFacts& layer, const Choice& choice, bool areTilesTaken, bo
 /// often stops bodies that walk.
 bool isPlainLayer(const LayerFacts& layer) {
   return layer.kind == LayerKind::tiles && layer.bare > 0 && !layer.uses.isOnlySeen && !layer.isDrawn &&
-         (!layer.uses.isOther || layer.uses.isGoneThrough);
+         (!layer.uses.isOther || layer.uses.isFluid);
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ GridValues valuesOf(const Layers& layers) {
   for (const auto& [name, uses] : values) {
     const Saying said = saying(name);
     const bool isOther = isWalled ? !said.isWall() : said.says == Says::nothing;
-    if (usesOf(name).isGoneThrough || (isWalled && said.isFloor())) result.through.push_back(name);
+    if (usesOf(name).isOther || (isWalled && said.isFloor())) result.through.push_back(name);
     if (isSaid && isOther) result.others.push_back(name);
     if (!isWalled && said.isFloor() && 2 * uses > cells) result.floors.push_back(name);
   }
@@ -118,7 +118,7 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
     const bool areOthers = areDrawn ? layer.uses.isPassable || areNamed(layer) : layer.uses.isOther || areNamed(layer);
     const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areOthers && !facts.isLdtk;
     const bool isPlain = !choice.options.layers.empty() && isPlainLayer(layer);
-    const bool isWater = isOfObjects && facts.isLdtk && layer.uses.isGoneThrough && !layer.uses.isPassable;
+    const bool isWater = isOfObjects && facts.isLdtk && layer.uses.isFluid && !layer.uses.isPassable;
     const std::uint64_t count = taken[{layer.kind, layer.name}];
     const bool isBegun = isOfObjects && count > 0;  // some are taken, by their class or property
     if (!says && !isPlain && !isWater && !isBegun && !(areBoxes && layer.classes.empty())) continue;

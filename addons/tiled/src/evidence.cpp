@@ -98,9 +98,9 @@ class Chooser {
     const LayerFacts& largest = **std::max_element(some.begin(), some.end(), [](const auto* a, const auto* b) {
       return a->tiles * a->side * a->side < b->tiles * b->side * b->side;
     });
-    const auto rest = std::stable_partition(some.begin(), some.end(), [&](auto* a) { return a->side == largest.side; });
-    const Layers apart(rest, some.end());
-    some.erase(rest, some.end());
+    const auto tail = std::stable_partition(some.begin(), some.end(), [&](auto* a) { return a->side == largest.side; });
+    const Layers apart(tail, some.end());
+    some.erase(tail, some.end());
     const bool isPart = some.size() < all.size();
     Options options = options_;
     if (isPart) {

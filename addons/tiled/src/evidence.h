@@ -57,7 +57,7 @@ inline bool isTiny(const LayerFacts& layer) { return layer.share() < 0.03; }
 
 /// Values of IntGrid layers that are not solid, if there are others.
 struct GridValues {
-  std::vector<std::string> through;  ///< bodies go through them, or they are a floor beside walls
+  std::vector<std::string> through;  ///< they have another use, such as water, or are a floor beside walls
   std::vector<std::string> others;   ///< all but the walls, or but those whose name says ground, if there are such
   std::vector<std::string> floors;   ///< a floor that fills most, without walls: bodies may stand on it, or walk on it
 };

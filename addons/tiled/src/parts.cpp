@@ -162,7 +162,7 @@ void readObjects(MapSource& source, const Layer& layer, const Options& options, 
     if (layer.isPicked && !isPicked(object, options)) continue;
     object = asAsked(std::move(object), options);
     if (object.kind == Kind::tile) {
-      readTileObject(std::move(object), source, propertiesOf(layer), options, budget, sink);
+      readTileObject(std::move(object), source, {{kLayerProperty, layer.pathInMap}}, options, budget, sink);
       continue;
     }
     sink(object, outlines(object, [](DoublePoint p) { return DoublePoint{p.x, -p.y}; }));

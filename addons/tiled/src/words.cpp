@@ -34,7 +34,7 @@ constexpr Words kPassed = "passab* traversab* walkab*";
 /// Words for another use. They are also looked for before and after a word that is written together.
 constexpr Words kOther =
     "ambient* art back background behind below bg cam camera check* cloud* coin* collect* con decal* deco* detail* "
-    "door* effect* enem* entit* entr* event* exit* fake far fg finish* fire flag* fond* fore foreground front fx "
+    "door* effect* end enem* entit* entr* event* exit* fake far fg finish* fire flag* fond* fore foreground front fx "
     "goal* hinter* ignor* item items light lights liquid* mid middle moving navig* npc npcs old overlay* paper pass "
     "passable path paths play player portal* shadow* sky* spawn* sprite start* sur switch* teleport* toxic* visual* "
     "walkab* warp* water* win with";
@@ -184,7 +184,7 @@ Uses usesOf(std::string_view name) {
   for (const std::string& word : words) {
     uses.isOther |= isOther(word);
     uses.isPassable |= isIn(kPassable, word);
-    uses.isGoneThrough |= uses.isPassable || isIn(kFluid, word) || isIn("background bg", word);
+    uses.isFluid |= isIn(kFluid, word);
     uses.isPassage |= isIn(kPassed, word);
     uses.isMain |= words.size() == 1 && isIn("level main map tile tiles", word);
     uses.isForeground |= isIn(kForeground, word);

@@ -46,13 +46,13 @@ Saying sayingOfProperty(std::string_view name);
 
 /// What a name says that something is for.
 struct Uses {
-  bool isOther = false;        ///< it has a word for another use than ground
-  bool isPassable = false;     ///< deadly, or lets bodies through: spikes, triggers, ladders and the like
-  bool isGoneThrough = false;  ///< the same of a value of cells, which can also be water, a background and the like
-  bool isPassage = false;      ///< about where bodies pass: "walkable". Then a value that says no is a wall
-  bool isMain = false;         ///< a layer called "tiles", "main" or the like
-  bool isForeground = false;   ///< beside nothing but a background it is the level
-  bool isOnlySeen = false;     ///< of a layer: it lies behind or above the others
+  bool isOther = false;       ///< it has a word for another use than ground
+  bool isPassable = false;    ///< deadly, or lets bodies through: spikes, triggers, ladders and the like
+  bool isFluid = false;       ///< water and the like: it lets bodies through, or stops those that walk
+  bool isPassage = false;     ///< about where bodies pass: "walkable". Then a value that says no is a wall
+  bool isMain = false;        ///< a layer called "tiles", "main" or the like
+  bool isForeground = false;  ///< beside nothing but a background it is the level
+  bool isOnlySeen = false;    ///< of a layer: it lies behind or above the others
 };
 Uses usesOf(std::string_view name);
 

@@ -156,7 +156,7 @@ TEST(TiledLdtk, OneGridAtATime) {
   const std::string fine = grid("1,0,0,0,0,0", "Fine", 5, "\"__gridSize\":4, ");
   const std::string text = project(level("A", 0, 8, fine + "," + grid("1,0,0,0,0,0")));
   EXPECT_EQ(
-      refusalOf(text, {.layers = {"Fine", "Solid"}}),
+      refusalOf(text, {.solidWithoutShapes = true, .layers = {"Fine", "Solid"}}),
       "maps/test.tmx: levels/0/layerInstances/0 'Fine' has a grid of 4 px, and A/Solid one of 8 px. One cell of the "
       "grid becomes one cell of the world, so choose layers that have one grid (Options::layers)");
   const auto chosen = mustImportProject(text, {.layers = {"Fine"}});

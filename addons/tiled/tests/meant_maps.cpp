@@ -213,9 +213,6 @@ std::vector<MeantMap> meantMaps() {
 
       {"a property of tiles that lie behind as well",
        mapOf(has('a', "collides"), tiles("Background", "aaaaaaaa/......../......../........") + tiles("World", U)), U},
-      {"platforms with pictures beside a property",
-       mapOf(has('a', "collides"), tiles("Ground", U) + objects("Platforms", figure(1, 1) + figure(5, 1))),
-       ".a...a../......../aaaaaaaa/aaaaaaaa"},
       {"objects with the property collision",
        mapOf(none, tiles("Tile Layer 1", B) + objects("Object Layer 1", boxes + solidBox("collision", "true"))), U},
       {"objects whose name, as a property, is Solid",

@@ -99,6 +99,10 @@ TEST(TiledEvidence, ValuesOfLdtkThatOneGoesThroughAreLeftOut) {
                                               entity("Water", 14, "\"px\":[0,0], \"width\":8, \"height\":8"))))}}));
   EXPECT_EQ(water.report.also, "object layer Things/Water, of which nothing is taken");
   EXPECT_EQ(water.report.suggestions.at(0).polygons, 2U) << "the walls and the water";
+  const auto marks = test::must(
+      importFiles({{"maps/test.tmx", replaced(replaced(project(level("A", 0, 0, grid("1,1,2,0,0,0"))), "dirt", "floor"),
+                                              "ice", "start")}}));
+  EXPECT_EQ(marks.placements.size(), 2U) << "where one begins is no ground";
   const std::string only = replaced(project(level("A", 0, 0, grid("2,2,0,0,0,0"))), "ice", "ladder");
   EXPECT_EQ(importFiles({{"maps/test.tmx", only}})->placements.size(), 2U) << "else nothing would be left";
 }

@@ -58,11 +58,13 @@ TEST_F(Published, DependsOnThePast) {
 
 // Section 5: worlds of full blocks, and of right triangles, each turned at random.
 TEST_F(Published, AgreesOnTheWorldsOfItsBenchmarks) {
-  constexpr std::int32_t kSide = 6, U = kUnitsPerCell;
+  constexpr std::int32_t kSide = 6, kEnd = kUnitsPerCell;
   using Shapes = std::vector<LocalPolygon>;
-  const Shapes full{{{0, 0}, {U, 0}, {U, U}, {0, U}}};
-  const Shapes ramps{
-      {{0, 0}, {U, 0}, {U, U}}, {{0, 0}, {U, 0}, {0, U}}, {{0, 0}, {U, U}, {0, U}}, {{U, 0}, {U, U}, {0, U}}};
+  const Shapes full{{{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}};
+  const Shapes ramps{{{0, 0}, {kEnd, 0}, {kEnd, kEnd}},
+                     {{0, 0}, {kEnd, 0}, {0, kEnd}},
+                     {{0, 0}, {kEnd, kEnd}, {0, kEnd}},
+                     {{kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}};
   for (const Shapes& shapes : {full, ramps}) {
     Random random(1);
     std::set<std::string> placed;

@@ -17,12 +17,7 @@ test('dig, undo, redo', () =>
     await tool(page, 'dig')
     const before = await outline(page)
     assert.equal(await blockAt(page, 16, 4.2), 1)
-    await drag(page, [
-      [14, 5],
-      [15, 4.5],
-      [16, 4.2],
-      [17, 4.1],
-    ])
+    await drag(page, [[14, 5], [15, 4.5], [16, 4.2], [17, 4.1]])
     assert.equal(await blockAt(page, 16, 4.2), 0)
     const dug = await outline(page)
     assert.notEqual(dug, before)
@@ -58,10 +53,7 @@ test('paint with a material, put tiles, draw a polygon', () =>
   browser.onPage(async (page) => {
     await tool(page, 'paint')
     await page.locator('input[name=block][value="102"]').check()
-    await drag(page, [
-      [14, 7],
-      [16, 7],
-    ])
+    await drag(page, [[14, 7], [16, 7]])
     assert.equal(await blockAt(page, 15, 7), 102)
     await tool(page, 'tile')
     await page.locator('input[name=tile][value="1"]').check()
@@ -123,22 +115,7 @@ test('everything by keyboard, and every control has a name', () =>
         ),
       )
     }
-    for (const id of [
-      'CANVAS',
-      'tool',
-      'size',
-      'play',
-      'step',
-      'slow',
-      'restart',
-      'view',
-      'overlay',
-      'copy',
-      'share',
-      'open',
-      'check',
-      'help',
-    ])
+    for (const id of ['CANVAS', 'tool', 'size', 'play', 'step', 'slow', 'restart', 'view', 'overlay', 'copy', 'share', 'open', 'check', 'help'])
       assert.ok(reached.has(id), id)
     await page.locator('#pane-0 canvas').focus()
     const before = await outline(page)
@@ -150,12 +127,7 @@ test('everything by keyboard, and every control has a name', () =>
     await page.keyboard.press('?')
     assert.ok(await page.locator('#help-dialog').isVisible())
     await page.keyboard.press('Escape')
-    for (const [key, name] of [
-      ['p', 'paint'],
-      ['t', 'tile'],
-      ['v', 'hand'],
-      ['c', 'car'],
-    ]) {
+    for (const [key, name] of [['p', 'paint'], ['t', 'tile'], ['v', 'hand'], ['c', 'car']]) {
       await page.keyboard.press(key)
       assert.ok(await page.locator(`input[name=tool][value=${name}]`).isChecked())
     }

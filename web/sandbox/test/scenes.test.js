@@ -15,6 +15,36 @@ after(() => browser.close())
 
 const names = ['hills', 'cave', 'quarry', 'tiled', 'platforms', 'materials', 'million']
 
+test('all tools show where to dig, until somebody does', () =>
+  browser.onPath(async (page) => {
+    await page.locator('#dig-more').click()
+    await page.waitForFunction(() => window.sandbox.game !== undefined)
+    const asks = () => page.evaluate(() => window.sandbox.viewer.invitation)
+    const [x, y] = await asks(), at = await page.evaluate(([x, y]) => window.sandbox.toPage(x, y), [x, y])
+    await page.mouse.move(at.x - 12, at.y)
+    await page.mouse.down()
+    await page.mouse.move(at.x + 12, at.y, { steps: 4 })
+    await page.mouse.up()
+    await page.waitForFunction(() => window.sandbox.game.rocks.of(window.sandbox.game.sides[0]).length === 1)
+    assert.equal(await asks(), null)
+  }, ''))
+
+test('the menu says which scene is open', () =>
+  browser.onPage(async (page) => {
+    const shown = () => page.evaluate(() => document.querySelector('#scene').selectedOptions[0].textContent)
+    assert.equal(await shown(), 'Hills')
+    await page.locator('#scene').selectOption('cave')
+    await page.waitForFunction(() => window.sandbox.game.ground.world.bounds().i0 === 0)
+    assert.match(await shown(), /^Cave/)
+    // Who is in the cave has the cave's roof above.
+    const below = await page.evaluate(() => {
+      const { game } = window.sandbox, { world } = game.ground, top = world.bounds().j1 + 1
+      const hasRoof = ({ start: { x, y } }) => world.rayCast(x, y, x, top) !== null
+      return game.sides[0].riders.filter(hasRoof).length / game.sides[0].riders.length
+    })
+    assert.equal(below, 1)
+  }))
+
 test('each scene opens, rolls, and has its code beside it', () =>
   browser.onPage(async (page) => {
     for (const name of names) {

@@ -42,8 +42,8 @@ struct Options {
   bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them, also that of a tile object. "NAME" alone takes any value but "false" and "0". A tile has its class as
-  /// a property "class", and a layer its path as "layer". Unless `objects` names some, objects that have such a property
+  /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property "class", and a
+  /// layer its path as "layer", also for its tile objects. Unless `objects` names some, objects that have such a property
   /// are taken from any object layer. The report names properties and values that nothing has.
   std::vector<std::string> solidIf = {};
 
