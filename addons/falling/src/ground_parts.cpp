@@ -116,8 +116,8 @@ Rock RockInParts::rest(std::size_t from) const {
   return rest;
 }
 
-bool RockInParts::isNear(const LoopFacts& loop) const {
-  return loop.min.x <= max_.x && min_.x <= loop.max.x && loop.min.y <= max_.y && min_.y <= loop.max.y;
+bool RockInParts::isNear(Point min, Point max) const {
+  return min.x <= max_.x && min_.x <= max.x && min.y <= max_.y && min_.y <= max.y;
 }
 
 CellRect RockInParts::chunks() const {

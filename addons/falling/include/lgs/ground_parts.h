@@ -133,7 +133,9 @@ class RockInParts {
   std::size_t count() const { return parts_.size(); }  ///< of its parts
   const Rock& whole() const { return rock_; }          ///< as it lay
   Rock rest(std::size_t from) const;                   ///< what the parts from this one on are, as they will lie
-  bool isNear(const LoopFacts& loop) const;            ///< whether their boxes meet
+  Point min() const { return min_; }                   ///< of its box, as it will lie
+  Point max() const { return max_; }                   ///< the same
+  bool isNear(Point min, Point max) const;             ///< whether that box meets this one
   CellRect chunks() const;                             ///< the chunks in which it becomes ground
   /// Puts parts, as one edit. Refused: as by putPart().
   Expected<void> put(World& world, std::size_t from, std::size_t to) const noexcept;

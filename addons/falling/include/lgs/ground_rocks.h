@@ -76,8 +76,9 @@ class GroundRocks {
   }
   /// Whether an island may be a part of a rock of which the rest will hold it.
   bool willHold(const IslandFacts& island) const {
-    return std::ranges::any_of(
-        rocks_, [&](const Fallen& f) { return f.isInAir && f.parts > 0 && f.inParts->isNear(island.outer); });
+    return std::ranges::any_of(rocks_, [&](const Fallen& f) {
+      return f.isInAir && f.parts > 0 && f.inParts->isNear(island.outer.min, island.outer.max);
+    });
   }
   /// Those in the air. One of which a part is ground becomes ground in `whole`, as far as that takes it.
   std::vector<Rock> values(World& whole, const Shelf& shelf) const {
@@ -114,6 +115,7 @@ class GroundRocks {
       if (!host_.lies(f.handle)) f.movedAt = steps_;
       if (steps_ - f.movedAt < kStepsOfRest || !host_.isHeld(f.handle)) continue;
       f.tries.until = steps_ + (std::uint64_t{60} << std::min(f.tries.count++, 6));
+      if (isInOneOfWhichAPartIsGround(f)) continue;
       return (f.rock.ground.polygons.size() > atOnce ? beginParts(f, now, atOnce) : put(f, now)).has_value();
     }
     return false;
@@ -213,6 +215,17 @@ class GroundRocks {
     if (!isNull(f.handle)) host_.destroy(f.handle);
   }
 
+  /// Its ground would be lost where the rest of that comes. That will push it out.
+  bool isInOneOfWhichAPartIsGround(const Fallen& f) const {
+    const auto isHeld = [](const Fallen& other) { return other.isInAir && other.parts > 0; };
+    if (std::ranges::none_of(rocks_, isHeld)) return false;
+    const auto placing = host_.placingOf(f.handle);
+    if (!placing) return false;
+    const auto lying = RockInParts::of(host_.read(f.handle), *placing, f.rock.ground.polygons.size());
+    return lying && std::ranges::any_of(rocks_, [&](const Fallen& other) {
+             return isHeld(other) && other.inParts->isNear(lying->min(), lying->max());
+           });
+  }
   Expected<void> put(Fallen& f, std::int64_t now) {
     f.rock = stopped(host_.read(f.handle));
     const auto done = host_.settle(f.handle);
