@@ -110,9 +110,10 @@ inline void makeStatic(b2Body* body) { body->SetType(b2_staticBody); }
 
 /// Calls a function for each dynamic body that is enabled; or only for those that moved in the last step, at least.
 template <class Call>
-void forEachBody(b2World& physics, const Terrain& /*terrain*/, bool moved, const Call& call) {
+void forEachBody(b2World& physics, const Terrain& /*terrain*/, bool /*moved*/, const Call& call) {
+  // One that falls asleep in a step has moved in it, and nothing says so: so those that sleep are visited, too.
   for (b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext())
-    if (body->GetType() == b2_dynamicBody && body->IsEnabled() && (body->IsAwake() || !moved)) call(body);
+    if (body->GetType() == b2_dynamicBody && body->IsEnabled()) call(body);
 }
 
 inline void noteWhereItIs(Terrain& terrain, const b2Body* body) { terrain.moved(*body); }
