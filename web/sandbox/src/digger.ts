@@ -67,7 +67,7 @@ export class Digger {
     requestAnimationFrame((now) => this.#dig(now, now))
     requestAnimationFrame(() => requestAnimationFrame(() => { // once the ground is seen
       const strip = new Strip()
-      this.goal!.onWin = (count) => { strip.load = count }
+      this.goal!.onFill = (count) => { strip.load = count }
     }))
     setInterval(() => void this.#keep(), keepsEach)
     const source = await (await fetch('digger.js')).text()

@@ -55,8 +55,8 @@ export class Goal {
   readonly #arrived = new Map<number, number>() // crystals of a cavern that are in their places
   /** The cavern that is counted: where one dug, or walked to. */
   here = 0
-  /** The crystals of this cavern that are in their places, when there is one more. */
-  onWin: (count: number) => void = () => {}
+  /** The crystals of this cavern that are in their places, when that changes. */
+  onFill: (count: number) => void = () => {}
   #x = 0 // where the picture was
   #feast = 0 // seconds that are left of it
   #row = { digs: 0, count: 0 } // crystals that broke after the last dig
@@ -231,7 +231,6 @@ export class Goal {
     this.#arrived.set(cavern, arrived + 1)
     if (cavern !== this.here) return
     this.#fill()
-    this.onWin(arrived + 1)
     if (arrived + 1 !== this.#places.length) return
     this.#feast = feast
     const digs = this.#deeds.digsIn(cavern), best = this.#deeds.best.get(cavern) ?? Infinity
@@ -292,6 +291,7 @@ export class Goal {
   #fill(): void {
     const full = this.#inPlace(this.here)
     for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
+    this.onFill(full)
   }
 
   /** What there is to do, and how far it is done. */
