@@ -57,7 +57,7 @@ test('without ghosts the ball is thrown into the air, twice, and loses speed; wi
     await saysSoon(page, 'seams', /^Without: 1 kick, 7\.\d cells\/s\. With: 0 kicks, 8\.6/)
     assert.match(await page.locator('#seams svg').textContent(), /Without ghost vertices: 1 kick.*With ghost vertices: 0 kicks/)
     assert.equal(await page.locator('#seams .push.wrong').count(), 1, 'an arrow shows the kick')
-    assert.match(await page.locator('#seams svg').textContent(), /hits the end of this edge.*ghost vertex: the floor goes on/)
+    assert.match(await page.locator('#seams svg').textContent(), /the ball hits the end of the next edge.*ghost vertex: the floor goes on/)
     assert.ok((await page.locator('#seams .seam').count()) > 8)
     await drag(page, 'seams', 12, 0)
     const [, kicks, slow] = /^Without: (\d) kicks, (\d\.\d) cells\/s\. With: 0 kicks, 8\.6 cells\/s\.$/.exec(await says(page, 'seams'))
@@ -81,13 +81,35 @@ test('at a seam the ball is pushed askew without ghosts; it rolls by itself, unt
     for (let k = 0; k < 60 && !/back/.test(await says(page, 'ghosts')); ++k) await page.keyboard.press('ArrowLeft')
     assert.match(await says(page, 'ghosts'), /pushes twice: straight up, and back/)
     const words = () => page.locator('#ghosts svg').textContent()
-    assert.match(await words(), /its edge.*pushes (up|back).*the end of this edge|the end of this edge.*pushes back/)
+    assert.match(await words(), /its edge.*rolls.*the ball hits the end of the next edge.*pushes back.*pushes up/)
     await page.locator('#ghosts input').check()
     assert.match(await says(page, 'ghosts'), /pushes once: straight up/)
     assert.match(await words(), /ghost vertexghost vertex.*pushes up/)
     assert.doesNotMatch(await words(), /back/)
     assert.equal(await page.locator('#ghosts button').textContent(), 'Play')
   }, 'article/'))
+
+for (const width of [320, 1000])
+  test(`at ${width} pixels no words of the second figure are on others, or cut off; its edges have no heads`, () =>
+    browser.onPath(async (page) => {
+      await page.locator('#ghosts svg').scrollIntoViewIfNeeded()
+      for (const isOn of [false, true]) {
+        await page.locator('#ghosts input').setChecked(isOn)
+        await handle(page, 'ghosts').focus()
+        for (let k = 0; k < 60; ++k) {
+          await page.keyboard.press(isOn ? 'ArrowLeft' : 'ArrowRight')
+          const { boxes, frame } = await page.locator('#ghosts svg').evaluate((svg) => ({
+            frame: svg.getBoundingClientRect().toJSON(),
+            boxes: [...svg.querySelectorAll('.label')].map((each) => ({ text: each.textContent, ...each.getBoundingClientRect().toJSON() })),
+          }))
+          for (const [n, a] of boxes.entries()) {
+            assert.ok(a.left >= frame.left - 1 && a.right <= frame.right + 1, JSON.stringify(a))
+            for (const b of boxes.slice(n + 1)) assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top + 4 || b.bottom <= a.top + 4, JSON.stringify({ a, b }))
+          }
+        }
+      }
+      assert.ok((await page.locator('#ghosts .chosen').getAttribute('d')).split('M').length === 2)
+    }, 'article/', { context: { viewport: { width, height: 700 }, reducedMotion: 'reduce' } }))
 
 test('what was dragged stands for a while, and goes on', () =>
   browser.onPath(async (page) => {

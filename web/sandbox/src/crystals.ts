@@ -107,6 +107,12 @@ export class Crystals {
     this.#dug.push({ area: -pieces * nugget, stroke: strokes })
   }
 
+  /** What came after so many strokes. */
+  takeBack(strokes: number): void {
+    this.#won = this.#won.filter(({ stroke }) => stroke <= strokes)
+    this.#dug = this.#dug.filter(({ stroke }) => stroke <= strokes)
+  }
+
   get winnings(): Winnings {
     return { won: this.#won.map(({ block, cavern }) => ({ block, cavern })), dug: this.#area }
   }
@@ -171,8 +177,7 @@ export class Crystals {
 
   /** After each step of the ground. `strokes` there are now; while one goes back in time nothing is broken by others. */
   step(time: number, strokes: number, gravity: number, goesBack: boolean): Hit[] {
-    this.#won = this.#won.filter(({ stroke }) => stroke <= strokes)
-    this.#dug = this.#dug.filter(({ stroke }) => stroke <= strokes)
+    this.takeBack(strokes)
     const hits: Hit[] = []
     for (const rock of this.#ground.rocks()) {
       const { ground, body, x, y, angle, vx, vy, spin } = rock

@@ -67,7 +67,7 @@ export class Digger {
     requestAnimationFrame((now) => this.#dig(now, now))
     requestAnimationFrame(() => requestAnimationFrame(() => { // once the ground is seen
       const strip = new Strip()
-      this.goal!.onWin = (count) => { strip.load = count }
+      this.goal!.onFill = (count) => { strip.load = count }
     }))
     setInterval(() => void this.#keep(), keepsEach)
     const source = await (await fetch('digger.js')).text()
@@ -129,7 +129,7 @@ export class Digger {
     this.#onHold('dig-back', () => this.#press(), () => this.#release())
     for (const [id, key] of [['dig-left', 'a'], ['dig-right', 'd']]) this.#onWalk(id, key)
     onClick('dig-again', () => this.#again())
-    onClick('dig-boulder', () => this.#place(!this.#isPlacing))
+    onClick('dig-boulder', () => this.goal!.canPay ? this.#place(!this.#isPlacing) : this.goal!.tellPrice())
     // A tap takes one dig back; digger.js, which goes on for as long as the key is down, hears of it later.
     const isBack = ({ key, isTrusted }: KeyboardEvent) => isTrusted && key.toLowerCase() === 'z' && this.#section.isConnected
     addEventListener('keydown', (event) => {
@@ -226,6 +226,7 @@ export class Digger {
     if (!this.#section.isConnected) return
     this.#deeds!.step((now - last) / 1000)
     this.#section.classList.toggle('rewinds', this.#deeds!.goesBack)
+    if (this.#isPlacing && !this.goal!.canPay) this.#place(false) // the gold for it was taken back
     requestAnimationFrame((next) => this.#frame(next, now))
   }
 
@@ -242,6 +243,7 @@ export class Digger {
 
   /** A boulder, where there is room for it. */
   #drop([x, y]: readonly [number, number]): void {
+    if (!this.goal!.canPay) return this.#place(false)
     const ground = this.ground!, ring = stone.map((v, n) => v + (n % 2 === 0 ? x : y))
     const isFree = [0.4, 1.1].every((part) => stone.every((_, n) =>
       n % 2 === 1 || ground.world.at(x + part * stone[n], y + part * stone[n + 1]).where === 'outside'))

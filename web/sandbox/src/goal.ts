@@ -9,7 +9,7 @@ import { Cave } from './cave.js'
 import { cavernAt, Crystals, gold, type Hit, large, type Piece, shine, type Winnings } from './crystals.js'
 import type { Deeds } from './deeds.js'
 import { element } from './dom.js'
-import { holdOf } from './hold.js'
+import { type Hold, holdOf } from './hold.js'
 import { Sound } from './sound.js'
 import { Sparks } from './sparks.js'
 import { wantsCalm } from './theme.js'
@@ -29,7 +29,7 @@ const tasks = [['Cut crystals loose. A long fall bursts them.', 7], ['Low crysta
 const taskOf = (cavern: number) => tasks[((cavern % tasks.length) + tasks.length) % tasks.length]
 const walkOn = 'All five! Go right to the next cavern, or try with fewer digs.'
 const tooLow = 'That fall was too short. Dig a pit below, or drop a boulder on it.'
-const goldBuys = 'Gold! Three pieces buy a boulder.', canBuy = 'Enough gold: press Boulder.'
+const goldBuys = 'Gold! Three pieces buy a boulder.', canBuy = 'Enough gold: press Boulder.', ofGold = [goldBuys, canBuy], noGold = '3 gold needed: dig the yellow diamonds.'
 const isHeld = 'Not through yet: cut at the ring.'
 
 export class Goal {
@@ -45,7 +45,7 @@ export class Goal {
   readonly #places = [...element('dig-places').children] as HTMLElement[]
   readonly #gold = element('dig-gold').nextElementSibling as HTMLElement
   #dug: { readonly at: readonly [number, number]; readonly cells: CellRect; gold: number } | null = null
-  #before: readonly (Piece & { readonly width: number })[] = [] // what hung near, when this dig began
+  #before: readonly (Piece & Hold)[] = [] // what hung near, when this dig began
   #marked = 0 // strokes that there were when rings were put
   readonly #boulder = element<HTMLButtonElement>('dig-boulder')
   readonly #score = element('dig-score')
@@ -55,8 +55,8 @@ export class Goal {
   readonly #arrived = new Map<number, number>() // crystals of a cavern that are in their places
   /** The cavern that is counted: where one dug, or walked to. */
   here = 0
-  /** The crystals of this cavern that are in their places, when there is one more. */
-  onWin: (count: number) => void = () => {}
+  /** The crystals of this cavern that are in their places, when that changes. */
+  onFill: (count: number) => void = () => {}
   #x = 0 // where the picture was
   #feast = 0 // seconds that are left of it
   #row = { digs: 0, count: 0 } // crystals that broke after the last dig
@@ -118,6 +118,16 @@ export class Goal {
     this.crystals.spend(price, strokes)
   }
 
+  /** That there is none for a boulder. */
+  tellPrice(): void {
+    this.#news = { text: noGold, left: told }
+  }
+
+  get canPay(): boolean {
+    this.crystals.takeBack(this.#deeds.strokes)
+    return this.crystals.gold >= price
+  }
+
   get rings(): readonly (readonly [number, number])[] {
     return this.#sparks.marks
   }
@@ -155,7 +165,7 @@ export class Goal {
     const [x, y] = this.#picture.at(event), [fx, fy] = event.type === 'pointermove' && this.#dug !== null ? this.#dug.at : [x, y]
     const cells = { i0: Math.floor(Math.min(x, fx) - 1), j0: Math.floor(Math.min(y, fy) - 1), i1: Math.floor(Math.max(x, fx) + 1), j1: Math.floor(Math.max(y, fy) + 1) }
     this.#goTo(cavernAt(x))
-    if (event.type === 'pointerdown') this.#before = this.crystals.near([x, y], near).map((each) => ({ ...each, width: holdOf(this.#ground.world, each.middle, each.block).width }))
+    if (event.type === 'pointerdown') this.#before = this.crystals.near([x, y], near).map((each) => ({ ...each, ...holdOf(this.#ground.world, each.middle, each.block) }))
     this.#dug = { at: [x, y], cells, gold: this.crystals.goldIn(cells) }
     for (let k = 0; k < 6; ++k) {
       const at = [x + 0.55 * Math.cos(k), y + 0.55 * Math.sin(k)] as const, spot = this.#ground.world.at(...at)
@@ -173,15 +183,16 @@ export class Goal {
     for (let k = count; k < this.crystals.gold; ++k) this.#win(at, gold)
   }
 
-  /** Rings where something still hangs that this dig has only made thinner. */
+  /** Rings where something still hangs that this dig has only made thinner, or cut into. */
   #endDig(): void {
-    const holds = this.#before.map(({ middle, block, width }) => ({ before: width, ...holdOf(this.#ground.world, middle, block) }))
+    const { world } = this.#ground, isGone = ([x, y]: readonly [number, number]) => world.at(x, y).where === 'outside'
+    const left = this.#before.map((before) => ({ before, ...holdOf(world, before.middle, before.block) }))
+      .filter(({ before, width }) => width > 0 && (width < before.width - thinner || before.points.some(isGone)))
     this.#before = []
-    const left = holds.filter(({ before, width }) => width > 0 && width < before - thinner)
     if (left.length === 0) return
     this.#sparks.marks = left.flatMap(({ places }) => places)
     this.#marked = this.#deeds.strokes
-    this.#news = { text: isHeld, left: told }
+    if (this.#news.left <= 0 || !ofGold.includes(this.#news.text)) this.#news = { text: isHeld, left: told }
   }
 
   #win(at: readonly [number, number], block: number): void {
@@ -220,7 +231,6 @@ export class Goal {
     this.#arrived.set(cavern, arrived + 1)
     if (cavern !== this.here) return
     this.#fill()
-    this.onWin(arrived + 1)
     if (arrived + 1 !== this.#places.length) return
     this.#feast = feast
     const digs = this.#deeds.digsIn(cavern), best = this.#deeds.best.get(cavern) ?? Infinity
@@ -281,6 +291,7 @@ export class Goal {
   #fill(): void {
     const full = this.#inPlace(this.here)
     for (const [k, place] of this.#places.entries()) place.className = k < full ? 'full' : ''
+    this.onFill(full)
   }
 
   /** What there is to do, and how far it is done. */
@@ -288,6 +299,7 @@ export class Goal {
     this.#news.left -= time
     const lead = this.#asks ?? (this.#news.left > 0 ? this.#news.text : this.#isDone ? walkOn : taskOf(this.here)[0])
     if (this.#lead.textContent !== lead) this.#lead.textContent = lead
+    this.#lead.parentElement!.classList.toggle('news', lead !== taskOf(this.here)[0])
     const digs = this.#deeds.digsIn(this.here), best = this.#deeds.best.get(this.here), { gold } = this.crystals, arrived = this.#inPlace(this.here)
     const score = `${counted(digs)} · ${best === undefined ? `par ${taskOf(this.here)[1]}` : `best ${best}`}`, seen = `${arrived} ${gold} ${score}`
     if (seen === this.#seen) return
@@ -295,7 +307,7 @@ export class Goal {
     this.#score.textContent = score
     this.#gold.className = gold > 0 ? 'full' : ''
     element('dig-gold').textContent = String(gold)
-    this.#boulder.disabled = gold < price
+    this.#boulder.ariaDisabled = String(gold < price)
     element<HTMLButtonElement>('dig-again').disabled = digs === 0 && arrived === 0
     element('dig-goal').ariaLabel = `${arrived} crystal${arrived === 1 ? '' : 's'}, ${score}, ${gold} gold`
   }

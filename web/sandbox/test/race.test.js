@@ -46,3 +46,26 @@ test('a link opens it; without motion its end is there at once', () =>
     },
     { hash: '#race', context: { viewport: { width: 390, height: 844 }, reducedMotion: 'reduce', hasTouch: true, isMobile: true } },
   ))
+
+test('the strip below the digger says whose kicks they are, and what the rings are; its caption, what the library does', () =>
+  browser.onPath(
+    async (page) => {
+      const written = () => page.evaluate(() => [...window.written].join('; '))
+      for (const word of ['With ghost vertices:', 'Without:', 'ghost vertex: the floor goes on']) await page.waitForFunction((word) => window.written.has(word), word)
+      assert.doesNotMatch(await written(), /[○●]/)
+      assert.match(await page.locator('#dig-race figcaption').textContent(), /Every cut makes new seams; LocalGridSeg keeps the ghost vertices right after each\./)
+      assert.ok(await page.locator('#what').isVisible(), 'what it is stands below the name')
+    },
+    '',
+    {
+      context: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+      before: (page) => page.addInitScript(() => {
+        const { fillText } = CanvasRenderingContext2D.prototype
+        window.written = new Set()
+        CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+          window.written.add(text)
+          return fillText.call(this, text, ...rest)
+        }
+      }),
+    },
+  ))

@@ -12,6 +12,8 @@ const tiles = 4
 const straight = 0.02 // radians
 const height = 1 + radius - 0.06 // of a ball that is pressed onto the floor
 const pace = 0.6 // cells a second
+const font = 14 // pixels
+const letter = 0.6 // of its size: how wide it is
 
 export default function ghosts(element: HTMLElement): void {
   const fig = new Figure(element, { x0: -0.15, y0: -0.1, x1: tiles + 0.15, y1: 2.7 }, 'A ball pressed onto the seam of two tiles')
@@ -24,7 +26,7 @@ export default function ghosts(element: HTMLElement): void {
   ball.createFixture(new Circle(radius), { density: 1 })
   const layer = fig.layer()
   const manifold = new WorldManifold()
-  let isOn = false
+  let isOn = false, heading = 1 // where it rolls: right, or left
 
   // What planck finds where the ball is. The first step finds who is near. It pushes the ball out, too.
   const pushes = ([x, y]: Point): { at: Point; normal: Point; segment: number }[] => {
@@ -49,6 +51,7 @@ export default function ghosts(element: HTMLElement): void {
     step: 0.05,
     move(x, y) {
       hold()
+      heading = Math.sign(x - handle.at[0]) || heading
       return [clamp(x, 0.6, tiles - 0.6), clamp(y, 1 + radius - 0.2, 2.1)]
     },
   })
@@ -62,6 +65,7 @@ export default function ghosts(element: HTMLElement): void {
   let way = 1
   const { stop, hold } = fig.runs(() => {
     const x = handle.at[0] + (way * pace) / 60
+    heading = way
     handle.at = [x, height]
     if (x > 0.7 && x < tiles - 0.7) return
     way = x < 2 ? 1 : -1
@@ -73,32 +77,45 @@ export default function ghosts(element: HTMLElement): void {
     const floor = segmentsOf(world).filter(({ start, end }) => start[1] === 1 && end[1] === 1)
     const under = floor.find(({ start, end }) => end[0] <= at[0] && at[0] <= start[0])!
     const parts: SVGElement[] = [...solids(world, 'ground tile')]
-    for (const segment of floor) parts.push(arrow(segment.id === under.id ? 'chosen' : 'segment', segment.start, segment.end, 10 * fig.pixel, 0, 0.85))
-    if (isOn) {
-      parts.push(path('whisker', [under.start, under.ghost1]), path('whisker', [under.end, under.ghost2]))
-      for (const ghost of [under.ghost1, under.ghost2])
-        parts.push(disc('ghostpoint', ghost, 7 * fig.pixel), words('label ghostword', [clamp(ghost[0], 0.5, tiles - 0.5), 1 - 24 * fig.pixel], 14 * fig.pixel, 'ghost vertex'))
+    const size = font * fig.pixel, low = -0.1, high = tiles + 0.1
+    const half = (text: string) => (letter * size * text.length) / 2
+    const write = (kind: string, [x, y]: Point, text: string) => parts.push(words(`label ${kind}`, [clamp(x, low + half(text), high - half(text)), y], size, text))
+    const rows = [1 - 24 * fig.pixel, 1 - 46 * fig.pixel]
+    for (const segment of floor) parts.push(path(segment.id === under.id ? 'chosen' : 'segment', [segment.start, segment.end]))
+    const middle = (under.start[0] + under.end[0]) / 2, ghosts = isOn ? [under.ghost1, under.ghost2] : []
+    if (isOn) parts.push(path('whisker', [under.start, under.ghost1]), path('whisker', [under.end, under.ghost2]))
+    for (const ghost of ghosts) {
+      parts.push(disc('ghostpoint', ghost, 7 * fig.pixel))
+      write('ghostword', [ghost[0], ghost[1] === 1 ? rows[0] : ghost[1] + 12 * fig.pixel], 'ghost vertex') // around the corner: above it
     }
-    parts.push(words('label edgeword', [(under.start[0] + under.end[0]) / 2, 1 - 24 * fig.pixel], 14 * fig.pixel, 'its edge'))
+    // Beside these words where there is room, and below them otherwise.
+    const isCrowded = ghosts.some(([x, y]) => y === 1 && Math.abs(clamp(x, low + half('ghost vertex'), high - half('ghost vertex')) - middle) < half('ghost vertex its edge'))
+    write('edgeword', [middle, rows[isCrowded ? 1 : 0]], 'its edge')
     parts.push(disc(`ball ${isOn ? 'smooth' : 'rough'}`, at, radius))
-    let skewed = 0
-    for (const { at: [x, y], normal, segment } of found) {
-      const angle = Math.atan2(normal[0], normal[1])
-      const isAskew = Math.abs(angle) > straight, kind = isAskew ? 'push wrong' : 'push'
-      if (isAskew) ++skewed
-      const other = floor.find(({ id }) => id === segment)
-      if (isAskew && other !== undefined) {
-        const middle = (other.start[0] + other.end[0]) / 2
-        parts.push(path('wrong', [other.start, other.end]), words('label askew', [clamp(middle, 0.9, tiles - 0.9), 1 - 46 * fig.pixel], 14 * fig.pixel, 'hits the end of this edge'))
+    const front = at[0] + heading * (radius + 0.08), ahead = clamp(front + heading * 0.5, low, high)
+    if (Math.abs(ahead - front) > 0.25) { // there is room
+      parts.push(arrow('segment', [front, at[1]], [ahead, at[1]], 10 * fig.pixel, 0, 0.95))
+      write('', [(front + ahead) / 2, at[1] + 8 * fig.pixel], 'rolls')
+    }
+    const askew = found.filter(({ normal: [nx, ny] }) => Math.abs(Math.atan2(nx, ny)) > straight)
+    const hit = 'hits the end of the next edge', hits = 2 * half(`the ball ${hit}`) < high - low ? `the ball ${hit}` : hit
+    const isBack = ([nx]: Point) => nx * heading < 0
+    for (const { normal, segment } of askew) {
+      const other = floor.find(({ id }) => id === segment), side = Math.sign(normal[0]), tip = clamp(at[0] + side * 1.05, low, high)
+      if (other !== undefined) {
+        parts.push(path('wrong', [other.start, other.end]))
+        write('askew', [(other.start[0] + other.end[0]) / 2, rows[1]], isBack(normal) ? hits : 'the end of the edge behind')
       }
-      const askew = found.find(({ normal: [nx] }) => Math.abs(nx) > straight), side = Math.sign(askew?.normal[0] ?? -1) * (isAskew ? 1 : -1), tip: Point = [x + normal[0] * 1.25, y + normal[1] * 1.25]
-      parts.push(arrow(kind, [x, y], tip, 12 * fig.pixel, 0, 0.95))
-      const word = words(`label ${isAskew ? 'askew' : 'ghostword'}`, [tip[0] + side * 9 * fig.pixel, tip[1] + (isAskew ? -3 : 3) * fig.pixel], 14 * fig.pixel, isAskew ? 'pushes back' : 'pushes up')
-      word.setAttribute('text-anchor', side < 0 ? 'end' : 'start')
-      parts.push(word)
+      parts.push(arrow('push wrong', at, [tip, at[1]], 12 * fig.pixel, 0, 0.95))
+      write('askew', [at[0] + side * 1.05, at[1] + 12 * fig.pixel + (isBack(normal) ? 0 : size)], isBack(normal) ? 'pushes back' : 'pushes on')
+    }
+    if (found.length > 0) {
+      const [x, y] = found.find((each) => !askew.includes(each))?.at ?? [at[0], 1], tip: Point = [x, y + 1.25]
+      parts.push(arrow('push', [x, y], tip, 12 * fig.pixel, 0, 0.95))
+      write('ghostword', [x + 9 * fig.pixel + half('pushes up'), tip[1] + 3 * fig.pixel], 'pushes up')
     }
     layer.replaceChildren(...parts)
-    const skew = skewed === 0 ? 'straight up' : `${found.length > skewed ? 'straight up, and ' : ''}back, off the end of the next edge`
-    fig.say(found.length === 0 ? 'The ball touches nothing.' : `The floor pushes ${found.length === 1 ? 'once' : 'twice'}: ${skew}.`)
+    const ways = [...(found.length > askew.length ? ['straight up'] : []), ...askew.map(({ normal }) => (isBack(normal) ? 'back, off the end of the next edge' : 'on, off the end of the edge behind'))]
+    fig.say(found.length === 0 ? 'The ball touches nothing.' : `The floor pushes ${found.length === 1 ? 'once' : 'twice'}: ${ways.join(', and ')}.`)
   })
 }

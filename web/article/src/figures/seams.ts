@@ -22,7 +22,7 @@ const around = 0.06 // seconds before and after a kick that are shown slowly
 const pace = 0.42, slow = 0.05 // of time
 const pause = 70 // frames at the end
 const floors = [isNarrow ? 4.25 : 3.8, 0.95] // where the floors are drawn
-const title = isNarrow ? 2.1 : 1.9 // above them
+const title = isNarrow ? 2 : 1.9 // above them
 const font = isNarrow ? 12.5 : 14 // pixels
 const thick = 0.34
 const late = 0.015 // seconds after the first kick: there it begins for whoever has just come
@@ -108,19 +108,20 @@ export default function seams(element: HTMLElement): void {
   // Below a floor, as far as there is room to the sides.
   const below = (kind: string, x: number, floor: number, text: string) => {
     const size = font * fig.pixel, half = (letter * size * text.length) / 2
-    return words(`label ${kind}`, [clamp(x, half, tiles - half), floor - thick - 1.3 * size], size, text)
+    return words(`label ${kind}`, [clamp(x, half, tiles - half), floor - thick - (isNarrow ? 1.1 : 1.3) * size], size, text)
   }
   fig.draws(() => {
     const parts: SVGElement[] = [], pixel = fig.pixel, rolls = [rough, smooth], hits = rough.kicks.filter((kick) => kick.time <= time)
     if (hits.length > 0) {
       const seam = Math.round(hits[0].at[0])
       parts.push(path('wrong', [[seam, floors[0]], [seam + 1, floors[0]]]), disc('kick', [seam, floors[0]], 5 * pixel))
-      parts.push(below('askew', seam + 0.5, floors[0], 'hits the end of this edge'))
+      parts.push(below('askew', seam + 0.5, floors[0], 'the ball hits the end of the next edge'))
     }
     const place = rolls.map((each, n): Point => [at(each, time)[0], at(each, time)[1] + floors[n]])
     rolls.forEach((each, n) => {
       const kind = n === 0 ? 'rough' : 'smooth', [x, y] = place[n], floor = floors[n]
-      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + title], (font + 1) * pixel, `With${n === 0 ? 'out' : ''} ghost vertices: ${facts(each)}`))
+      const what = `With${n === 0 ? 'out' : ''} ghost vertices: ${facts(each)}`
+      parts.push(words(`label title ${kind}`, [tiles - 0.05, floor + title], Math.min((font + 1) * pixel, (tiles - 0.1) / (letter * what.length)), what))
       parts.at(-1)!.setAttribute('text-anchor', 'end')
       const trail = each.points.slice(0, Math.floor(time / step) + 1).map(([px, py]): Point => [px, py + floor])
       parts.push(path(`way ${kind}`, [...trail, [x, y]]))

@@ -71,8 +71,9 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
     const [x, y] = at(i, 1)
     c.fillRect(x + 0.5, y, unit - 1, thick)
   }
-  if (lane.side.ghosts) drawGhosts(c, world, lane.moments.at(-1)!.x, at)
+  const ghosts = lane.side.ghosts ? drawGhosts(c, world, lane.moments.at(-1)!.x, at) : []
   drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, wheel, load)
+  if (part !== whole) nameGhosts(c, ghosts, place.width, text)
   c.restore()
   if (part === whole && lane.kicks.length > 0) drawFirst(c, at(...lane.kicks[0].at), place.y + text, text)
   c.textBaseline = 'top'
@@ -83,9 +84,9 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
   c.fill()
   c.fillStyle = colours.ink
   c.font = `600 ${text}px ${font}`
-  const title = lane.side.ghosts ? 'With' : 'Without'
+  const title = lane.side.ghosts ? 'With ghost vertices:' : 'Without:'
   c.fillText(title, 32, line)
-  const left = 44 + c.measureText(title).width
+  const left = 32 + c.measureText(`${title} `).width
   if (lane.time !== null) {
     c.textAlign = 'right'
     c.fillText(`${lane.time.toFixed(2)} s`, place.width - 14, line)
@@ -93,11 +94,23 @@ function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: 
   const kicks = lane.side.kicks.count
   c.font = `${text}px ${font}`
   c.textAlign = 'left'
-  const sign = lane.side.ghosts ? '○' : '●', wide = c.measureText(`${sign} `).width
-  c.fillText(`${lane.side.ghosts ? 'ghost vertices: ' : ''}${kicks} ${kicks === 1 ? 'kick' : 'kicks'}`, left + wide, line)
-  c.font = `900 ${text}px ${font}`
-  c.fillStyle = lane.side.ghosts ? colours.added : colours.kick
-  c.fillText(sign, left, line)
+  c.fillText(`${kicks} ${kicks === 1 ? 'kick' : 'kicks'}`, left, line)
+}
+
+// Beside the wheel, where there is room for it: before it, or behind it.
+function nameGhosts(c: CanvasRenderingContext2D, ghosts: readonly [number, number][], width: number, text: number): void {
+  if (ghosts.length === 0) return
+  const word = 'ghost vertex: the floor goes on', xs = ghosts.map(([x]) => x), y = ghosts[0][1] - text * 0.9, behind = Math.min(...xs) - 9, before = Math.max(...xs) + 9
+  c.font = `600 ${Math.min(14, text)}px ${font}`
+  c.textBaseline = 'middle'
+  const isBefore = before + c.measureText(word).width < width - 8
+  if (!isBefore && behind - c.measureText(word).width < 8) return
+  c.textAlign = isBefore ? 'left' : 'right'
+  c.strokeStyle = theme().sky
+  c.lineWidth = 4
+  c.strokeText(word, isBefore ? before : behind, y)
+  c.fillStyle = theme().added
+  c.fillText(word, isBefore ? before : behind, y)
 }
 
 // What the first kick is, above it.
@@ -138,19 +151,19 @@ function drawFlag(c: CanvasRenderingContext2D, [x, y]: [number, number], unit: n
   }
 }
 
-// The ghosts of the segment below the wheel: the far ends of its neighbours.
-function drawGhosts(c: CanvasRenderingContext2D, world: World, x: number, at: (x: number, y: number) => [number, number], radius = 4.5): void {
+// The ghosts of the segment below the wheel: the far ends of its neighbours. Returns where they are.
+function drawGhosts(c: CanvasRenderingContext2D, world: World, x: number, at: (x: number, y: number) => [number, number], radius = 4.5): [number, number][] {
   const near = world.nearest(x, 1.2, 1)
-  if (near === null) return
-  const { ghost1, ghost2 } = world.segment(near.segment)
+  if (near === null) return []
+  const { ghost1, ghost2 } = world.segment(near.segment), places = [ghost1, ghost2].filter((ghost) => ghost !== null).map((ghost) => at(ghost[0], ghost[1]))
   c.strokeStyle = theme().added
   c.lineWidth = radius / 2.2
-  for (const ghost of [ghost1, ghost2]) {
-    if (ghost === null) continue
+  for (const place of places) {
     c.beginPath()
-    c.arc(...at(...ghost), radius, 0, 2 * Math.PI)
+    c.arc(...place, radius, 0, 2 * Math.PI)
     c.stroke()
   }
+  return places
 }
 
 function drawPath(c: CanvasRenderingContext2D, { moments, side }: Lane, at: (x: number, y: number) => [number, number]): void {
