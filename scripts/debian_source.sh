@@ -19,7 +19,9 @@ apt=(apt-get -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$lists/
   -o "Dir::State::lists=$lists/lists" -o "Dir::Cache=$lists/cache" -o "APT::Sandbox::User=$(id -un)")
 "${apt[@]}" update
 cd "$folder"
-"${apt[@]}" source --download-only "$@"
+# A mirror may list an update before it has its files. What is the same before Debian's changes is in the release, too.
+release=$(source /etc/os-release && echo "${VERSION_CODENAME:-}")
+"${apt[@]}" source --download-only "$@" || "${apt[@]}" source --download-only "${@/%//$release}"
 for archive in *.orig.tar.*; do
   if [[ $archive != *.asc ]]; then tar xf "$archive"; fi
 done
