@@ -183,8 +183,8 @@ class Ground {
   void forEachRock(const Visit& visit) const {
     rocks_.forEach(visit);
   }
-  /// Puts a rock, or what is left of it, into the ground now, as it lies. Refused: staleHandle; as by the host's
-  /// settle().
+  /// Puts a rock, or what is left of it, into the ground now, as it lies. Refused: staleHandle; overlap, where one lies
+  /// of which a part is ground; as by the host's settle().
   Expected<void> settle(Handle handle) {
     rocks_.dropGone();
     const auto done = rocks_.settle(handle, now_);

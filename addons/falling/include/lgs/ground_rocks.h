@@ -127,10 +127,13 @@ class GroundRocks {
       if (f.isInAir && f.parts > 0 && putParts(f, f.inParts->count(), now)) isAny = true;
     return isAny;
   }
-  /// A rock, or what is left of it. Refused: staleHandle; as by the host's settle().
+  /// A rock, or what is left of it. Refused: staleHandle; overlap, where one lies of which a part is ground; as by the
+  /// host's settle().
   Expected<void> settle(Handle handle, std::int64_t now) {
     const auto found = std::ranges::find_if(rocks_, [&](const Fallen& f) { return is(f, handle); });
     if (found == rocks_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
+    if (found->parts == 0 && isInOneOfWhichAPartIsGround(*found))
+      return tl::unexpected(Error{.code = ErrorCode::overlap});
     return found->parts == 0 ? put(*found, now) : putParts(*found, found->inParts->count(), now);
   }
 
